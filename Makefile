@@ -5,7 +5,9 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw test-nehalem test-machines coverage check format clean
+.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak \
+    bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw \
+    test-nehalem test-machines coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -16,7 +18,7 @@ help:
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
-	@echo "make soak       a million updates of people who come and go; memory and pictures must stay as they are (some minutes)"
+	@echo "make soak       a million updates of a changing crowd; memory and pictures stay as they are (some minutes)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
@@ -37,7 +39,7 @@ build: setup
 	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
-# The claque command alone: no test, no benchmark, no host. `make run` needs only its subcommands that draw pictures.
+# The claque command alone: no test, no benchmark, no host. `make run` needs its subcommands that draw pictures.
 BUILD_ONLY = cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); \
     cmake --build --preset $(PRESET) -j $(JOBS) --target
 

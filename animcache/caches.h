@@ -84,6 +84,13 @@ public:
     static const math::Affine *locals_of(const Request &request);
     static constexpr uint32_t slice_count = 64;  // tasks in an update, independent of the number of threads
 
+    // The key of the palette that is kept for a row, or null, and the radius that its request gave.
+    const PoseKey *kept_pose(uint32_t row) const
+    {
+        const Entry &entry = entries_[row];
+        return settings_.mode == Mode::none || !entry.palette ? nullptr : &entry.palette_key;
+    }
+    float kept_radius(uint32_t row) const { return entries_[row].palette_radius; }
     bool keeps_palette(uint32_t row) const { return entries_[row].palette; }
     bool keeps_vertices(uint32_t row) const { return entries_[row].vertices; }
     bool was_animated(uint32_t row) const { return entries_[row].animated_at == frame_number_; }

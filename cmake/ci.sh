@@ -1,6 +1,7 @@
 #!/bin/sh
-# ci.sh BUILD JOBS: runs every test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan, runs each fuzzer
-# for 20 s where clang can be had (tests/fuzz), tries ten mutants (tests/mutants), and ends with one summary of the tests: N passed, N failed, N skipped.
+# ci.sh BUILD JOBS: runs every test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan,
+# runs each fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants (tests/mutants), and ends with one
+# summary of the tests: N passed, N failed, N skipped.
 set -eu
 build=$1
 jobs=$2

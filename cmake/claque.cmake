@@ -42,8 +42,8 @@ if(WIN32)  # where programs find libraries beside themselves
     set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin)
 endif()
 if(MINGW)
-    # GCC keeps 32-byte vectors on stacks that Windows aligns to 16 (GCC bug 54412): the assembler takes moves that do not mind.
-    # Formats are checked on the other systems: here the compiler does not know %zu.
+    # GCC keeps 32-byte vectors on stacks that Windows aligns to 16 (GCC bug 54412): the assembler takes moves that do
+    # not mind. Formats are checked on the other systems: here the compiler does not know %zu.
     target_compile_options(claque_flags INTERFACE -Wa,-muse-unaligned-vector-move -Wno-format)
     # printf with %zu, and the mathematical constants of <cmath>.
     target_compile_definitions(claque_flags INTERFACE __USE_MINGW_ANSI_STDIO=1 _USE_MATH_DEFINES)
@@ -71,7 +71,8 @@ function(claque_start_up name)
     target_compile_options(claque_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
 endfunction()
 
-# Sets OUT to a source file, made by the build, with claque::api::FUNCTION(): a hash of the sources that decide what a template is.
+# Sets OUT to a source file, made by the build, with claque::api::FUNCTION(): a hash of the sources that decide what a
+# template is.
 function(claque_sources_hash function out)
     file(GLOB_RECURSE makers CONFIGURE_DEPENDS
         ${PROJECT_SOURCE_DIR}/lib/*.h ${PROJECT_SOURCE_DIR}/lib/*.cpp ${PROJECT_SOURCE_DIR}/meshsplit/*.h
@@ -93,9 +94,9 @@ function(claque_optimise)
         SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is the build folder of the test.
-# BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci` runs it under sanitizers, too.
-# OPTIMISED: most of its time it runs code of its own.
+# A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is
+# the build folder of the test. BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci`
+# runs it under sanitizers, too. OPTIMISED: most of its time it runs code of its own.
 function(claque_test name)
     cmake_parse_arguments(ARG "BYTES;OPTIMISED" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(NOT ARG_TIMEOUT)
@@ -129,8 +130,8 @@ function(claque_test name)
     endif()
 endfunction()
 
-# A library from whole rooms: <name> shared with only clq_* exported, <name>_static beside it. Whether it is installed or a folder of
-# theirs, other projects see claque::<as> and claque::<as>_static: claque::claque, claque::assets.
+# A library from whole rooms: <name> shared with only clq_* exported, <name>_static beside it. Whether it is installed
+# or a folder of theirs, other projects see claque::<as> and claque::<as>_static: claque::claque, claque::assets.
 function(claque_libraries name)
     cmake_parse_arguments(ARG "" "" "ROOMS;LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
     string(REPLACE "claque-" "" as ${name})

@@ -1,4 +1,5 @@
-# Decoders of libclaque-assets that a build may lack. Each that is found, and is not switched off, gets a definition CLAQUE_HAS_<NAME>.
+# Decoders of libclaque-assets that a build may lack. Each that is found, and is not switched off, gets a definition
+# CLAQUE_HAS_<NAME>.
 set(CLAQUE_DECODERS "")            # names
 set(CLAQUE_DECODER_LIBRARIES "")   # as a linker knows them
 set(CLAQUE_DECODER_PACKAGES "")    # of Debian, for those that link libclaque-assets.a

@@ -1,5 +1,5 @@
-# `make install`: headers, libraries, the claque command with its manual, pkg-config and CMake packages; and what goes into which
-# Debian package (cmake/package.cmake): components runtime, assets, dev, command.
+# `make install`: headers, libraries, the claque command with its manual, pkg-config and CMake packages; and what goes
+# into which Debian package (cmake/package.cmake): components runtime, assets, dev, command.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY include/claque TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN "*.h")

@@ -1,6 +1,5 @@
 #!/bin/sh
-# man.sh CLAQUE TEMPLATE: the manual page on standard output. What subcommands there are and what options they take is asked of
-# the command itself.
+# man.sh CLAQUE TEMPLATE: the manual page on standard output. Subcommands and options are asked of the command itself.
 set -eu
 claque=$1 template=$2
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# setup.sh [run|fuzz|coverage]: installs the Debian packages that are missing: all, with `run` those that the claque command needs alone,
-# with `fuzz` also those that the fuzzers need (tests/fuzz), with `coverage` also gcovr.
+# setup.sh [run|fuzz|coverage]: installs the Debian packages that are missing: all, with `run` those that the claque
+# command needs alone, with `fuzz` also those that the fuzzers need (tests/fuzz), with `coverage` also gcovr.
 # Without root it prints the command to run as root.
 set -eu
 

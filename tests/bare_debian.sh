@@ -1,14 +1,16 @@
 #!/bin/sh
-# bare_debian.sh packages FOLDER   installs the .deb files of FOLDER on a bare Debian 12 and runs the command there, at last with OpenGL.
-# bare_debian.sh clone             clones this repository there, runs `make run` and `make test`, and holds both to their times:
-#                                  MAX_RUN_S (180) and MAX_TEST_S (900) seconds once packages are installed, meant for two idle cores.
+# bare_debian.sh packages FOLDER   installs the .deb files of FOLDER on a bare Debian 12 and runs the command there,
+#                                  at last with OpenGL.
+# bare_debian.sh clone             clones this repository there, runs `make run` and `make test`, and holds both to
+#                                  their times, MAX_RUN_S (180) and MAX_TEST_S (900) seconds once packages are
+#                                  installed, meant for two idle cores.
 # The bare Debian is debootstrap's smallest, in a folder of its own. Needs root, debootstrap and Debian's archive.
 set -eu
 mode=${1:-}
 case "$mode" in
 packages) packages=$2 ;;
 clone) ;;
-*) sed -n '2,5s/^# //p' "$0" >&2; exit 2 ;;
+*) sed -n '2,6s/^# //p' "$0" >&2; exit 2 ;;
 esac
 for command in debootstrap unshare chroot; do
     command -v $command > /dev/null || { echo "skipped: $0 needs $command"; exit 0; }

@@ -2,8 +2,8 @@
 """Measures which lines and branches of the library its tests run, folder by folder, and holds them to limits.
 
 coverage.py [--jobs N] [--tests REGEX] [--keep]: runs the tests of build/coverage (preset `coverage`) and reads the
-counts with gcovr, without branches of exceptions and those that cannot be reached. --tests runs those whose names match;
---keep adds to the counts of earlier runs. The exit status is 1 if a limit is missed or a test fails.
+counts with gcovr, without branches of exceptions and those that cannot be reached. --tests runs those whose names
+match; --keep adds to the counts of earlier runs. The exit status is 1 if a limit is missed or a test fails.
 """
 import argparse
 import collections

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Runs libclaque's tests for other machines (foreign.sh), one after the other, and ends with one table.
 
-machines.py [--jobs N] [MACHINE...]: i386, arm64, mingw, nehalem; without names, all. A machine whose compiler or emulator
-is missing is named in the table, with the packages that it needs. The exit status is 1 if a test failed.
+machines.py [--jobs N] [MACHINE...]: i386, arm64, mingw, nehalem; without names, all. A machine whose compiler or
+emulator is missing is named in the table, with the packages that it needs. The exit status is 1 if a test failed.
 """
 import argparse
 import collections

@@ -54,10 +54,10 @@ typedef struct clq_trajectories_def {
     /* [9] rows of a matrix from (row, column, 1) of the film to metres, for CLQ_TRAJECTORY_VSP. NULL: H.txt beside the
      * file, else metres_per_unit. */
     const double *picture_to_metres;
-    /* (> 0) a person who is faster than this from a sample to the next becomes another person there. Default 12;
-     * INFINITY: never. */
+    /* (> 0) a step to the next sample that is faster than this starts a new person there. Default 12; INFINITY: no
+     * step does. */
     double max_speed_m_s;
-    /* [0, INFINITY] a person without samples for longer than this becomes another person. 0: 2.5 s, or 4 times the
+    /* [0, INFINITY] a gap between two samples that is longer than this starts a new person. 0: 2.5 s, or 4 times the
      * file's usual step where that is longer. Foot steps and control points have no gaps. */
     double max_gap_s;
     /* Samples outside [start_s, end_s] of the file's time are left out. Default: -INFINITY, INFINITY. */
@@ -90,9 +90,9 @@ typedef struct clq_trajectory_sample {
 
 /* Load a file of trajectories. Coordinates, times and headings are what the file has, only converted: nothing is
  * smoothed or filled in. The samples of a person are put in order of time; of several rows of a person at one time the
- * first is kept; rows with a missing, infinite or impossible number are left out. A person who is absent for longer
- * than max_gap_s or moves faster than max_speed_m_s becomes a further person, whose id ends in #2, #3 and so on. Each
- * of these gives a warning. A rate, unit or axis that is missing is refused with the member's name and the option of
+ * first is kept; rows with a missing, infinite or impossible number are left out. A gap longer than max_gap_s and a
+ * step faster than max_speed_m_s start a new person, whose id ends in #2, #3 and so on. Each of these gives a
+ * warning. A rate, unit or axis that is missing is refused with the member's name and the option of
  * the claque command.
  *   path    a regular file; H.txt may stand beside it
  *   name    of bytes in memory: messages use it and AUTO reads its ending; may be NULL

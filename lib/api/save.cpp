@@ -16,7 +16,7 @@ using namespace claque;
 namespace
 {
 
-class HostSink : public crowd::Sink
+class HostSink : public base::Sink
 {
 public:
     HostSink(clq_write_function write, void *user) : write_(write), user_(user) {}

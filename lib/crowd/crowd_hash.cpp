@@ -1,21 +1,21 @@
 // Hashes of whole states: of a crowd, and of the properties of a template that a crowd depends on.
-#include "lib/crowd/save_archive.h"
+#include "lib/crowd/save.h"
 
 namespace claque::crowd
 {
 
 uint64_t Crowd::hash() const
 {
-    HashingSink measure;
+    base::HashingSink measure;
     save_contents(*this, measure);
     return measure.hash;
 }
 
 uint64_t structure_hash(const model::Template &tmpl)
 {
-    HashingSink measure;
+    base::HashingSink measure;
     Writer out(measure);
-    const auto name = [&](const auto &text) { out.array(text, 1, [&](char c) { out.value(c); }); };
+    const auto name = [&](const auto &text) { out.text(text); };
     const model::Rig &rig = tmpl.rig;
     out.array(rig.parents, 4, [&](uint32_t parent) { out.value(parent); });
     out.array(rig.node_names, 4, name);

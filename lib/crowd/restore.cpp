@@ -20,7 +20,7 @@ void read_templates(Reader &in, Resolver &resolver, Tables &out)
     out.templates.reserve(count);
     out.colours.reserve(count);
     for (uint32_t i = 0; i < count; ++i) {
-        in.array(name, 1, [&](char &c) { in.value(c); });
+        in.text(name);
         uint64_t structure = 0;
         in.value(structure);
         const model::Template &tmpl = resolver.find_template(name, structure);
@@ -66,7 +66,7 @@ const model::Template *template_at(const Tables &tables, uint32_t index)
 
 void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out)
 {
-    Reader in = contents_of(bytes, size);
+    Reader in = base::open_file(save_form, bytes, size);
     in.value(out.tables.seed);
     read_templates(in, resolver, out.tables);
     read_behaviours(in, resolver, out.tables);
@@ -83,7 +83,7 @@ void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out)
     }
     for (uint32_t row = 0; row < out.row_count(); ++row)
         if (out.alive(row)) measure(out, row);
-    if (in.left() != 0) fail(CLQ_FORMAT, "a saved crowd has %zu bytes too many", in.left());
+    in.end();
 }
 
 }  // namespace claque::crowd

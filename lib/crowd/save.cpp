@@ -12,7 +12,7 @@ void write_templates(Writer &out, const Tables &tables)
 {
     out.count(tables.templates.size());
     for (const model::Template *tmpl : tables.templates) {
-        out.array(tmpl->name, 1, [&](char c) { out.value(c); });
+        out.text(tmpl->name);
         out.value(structure_hash(*tmpl));
     }
 }
@@ -57,7 +57,7 @@ void write_layers(Writer &out, const Tables &tables)
 
 }  // namespace
 
-void save_contents(const Crowd &crowd, Sink &sink)
+void save_contents(const Crowd &crowd, base::Sink &sink)
 {
     const Tables &tables = crowd.tables;
     Writer out(sink);
@@ -74,14 +74,12 @@ void save_contents(const Crowd &crowd, Sink &sink)
     out.flush();
 }
 
-void save(const Crowd &crowd, Sink &sink)
+void save(const Crowd &crowd, base::Sink &sink)
 {
-    HashingSink measure;
+    base::HashingSink measure;
     save_contents(crowd, measure);
-    Writer header(sink);
-    for (const uint8_t byte : save_magic) header.value(byte);
-    header.value(save_version), header.value(uint32_t(0)), header.value(measure.size), header.value(measure.hash);
-    header.flush();
+    const auto header = base::file_header(save_form, measure.size, measure.hash);
+    sink.take(header.data(), header.size());
     save_contents(crowd, sink);
 }
 

@@ -1,31 +1,25 @@
 // A crowd's state as bytes and back, so that a host can record and replay: everything in crowd.h except callbacks,
-// which the host supplies again. Little-endian on every machine:
-//   8 bytes magic, u32 version, u32 zero, u64 size of the contents, u64 FNV-1a of them, which is the crowd's hash;
-//   then templates by name and structure, mechanisms, paths, gaits, masks, groups, actors, attached objects.
-// Rows are at the positions of their ids, and free rows in the order in which they will be reused. State without an id
-// (attachments, commands, slots of colours) is written with its actor, wherever it is in memory, so equal states have
-// equal bytes.
+// which the host supplies again. A header (base/file_header.h), whose hash is the crowd's, then templates by name and
+// structure, mechanisms, paths, gaits, masks, groups, actors, attached objects. Rows are at the positions of their ids,
+// and free rows in the order in which they will be reused. State without an id (attachments, commands, slots of
+// colours) is written with its actor, wherever it is in memory, so equal states have equal bytes.
 #pragma once
 
 #include <string_view>
 
+#include "lib/base/file_header.h"
 #include "lib/crowd/crowd.h"
 
 namespace claque::crowd
 {
 
-constexpr uint8_t save_magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a};
-constexpr uint32_t save_version = 4;
+constexpr base::FileForm save_form = {{'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a}, 4, "a saved crowd"};
 
-class Sink
-{
-public:
-    virtual ~Sink() = default;
-    virtual void take(const uint8_t *bytes, size_t count) = 0;  // in order; an exception ends the saving
-};
+using Writer = base::ArchiveWriter<>;
+using Reader = base::ArchiveReader<>;
 
-void save(const Crowd &crowd, Sink &sink);           // allocates nothing
-void save_contents(const Crowd &crowd, Sink &sink);  // without the header
+void save(const Crowd &crowd, base::Sink &sink);           // allocates nothing
+void save_contents(const Crowd &crowd, base::Sink &sink);  // without the header
 
 // A hash of what a saved crowd requires of a template: nodes, degrees of freedom, clips, zones and levels, with their
 // names and sizes; not vertices and images.

@@ -1,7 +1,6 @@
 #include "lib/crowd/save_check.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace claque::crowd
@@ -9,24 +8,6 @@ namespace claque::crowd
 
 using base::fail;
 using model::none;
-
-Reader contents_of(const uint8_t *bytes, size_t size)
-{
-    if (size < header_bytes || std::memcmp(bytes, save_magic, sizeof save_magic) != 0)
-        fail(CLQ_FORMAT, "%zu bytes that are not a saved crowd", size);
-    Reader header(bytes + sizeof save_magic, header_bytes - sizeof save_magic);
-    uint32_t version = 0, zero = 0;
-    uint64_t contents = 0, hash = 0;
-    header.value(version), header.value(zero), header.value(contents), header.value(hash);
-    if (version != save_version)
-        fail(CLQ_FORMAT, "a saved crowd of version %u: this library reads version %u", version, save_version);
-    if (zero != 0 || contents != size - header_bytes)
-        fail(CLQ_FORMAT, "a saved crowd of %llu bytes is %zu bytes long", static_cast<unsigned long long>(contents),
-             size - header_bytes);
-    if (hash != base::fnv(base::fnv_start, bytes + header_bytes, contents))
-        fail(CLQ_FORMAT, "a saved crowd has been changed since it was saved: its hash differs");
-    return Reader(bytes + header_bytes, size - header_bytes);
-}
 
 MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory)
 {

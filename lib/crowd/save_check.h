@@ -1,14 +1,10 @@
 // Rules of a saved crowd that no public call checks. Each throws base::Error (CLQ_FORMAT).
 #pragma once
 
-#include "lib/crowd/save_archive.h"
+#include "lib/crowd/save.h"
 
 namespace claque::crowd
 {
-
-constexpr size_t header_bytes = 32;
-
-Reader contents_of(const uint8_t *bytes, size_t size);  // after a correct header
 
 MechanismKind kind_of(uint8_t index, std::pmr::memory_resource *memory);
 

@@ -1,5 +1,5 @@
 // The fields of a saved crowd's structs in the order of the bytes: one list for writing and reading, so that the two
-// cannot differ. Archives are those of save_archive.h; structs are const when they are written.
+// cannot differ. Archives are those of lib/base/archive.h; structs are const when they are written.
 #pragma once
 
 #include "lib/crowd/crowd.h"

@@ -2,7 +2,7 @@
 // the order in which they will be taken.
 #pragma once
 
-#include "lib/crowd/save_archive.h"
+#include "lib/crowd/save.h"
 #include "lib/crowd/save_fields.h"
 
 namespace claque::crowd

@@ -33,7 +33,8 @@ draw::Item ListView::item_of(const SortEntry &listed) const
                        item.model_view);
     item.eye_distance_m = listed.distance * given.settings.caches.metres_per_unit;
     item.mirrored = transform.scale < 0;
-    const glm::dvec3 ground = follows_ground(crowd, listed.row)
+    const bool placed = crowd.follows().of(listed.row) && !crowd.behaviours().has_root_path_play(listed.row);
+    const glm::dvec3 ground = placed || follows_ground(crowd, listed.row)
                                   ? transform.position
                                   : crowd::reference_position_of(crowd, listed.row, given.time_s);
     for (int k = 0; k < 3; ++k) item.ground[k] = ground[k];

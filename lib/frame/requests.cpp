@@ -8,6 +8,20 @@
 namespace claque::frame
 {
 
+// What an actor with layers, mechanisms or a track shows is a function of version, tick and levels. If the cache keeps
+// that pose, its clips need not be chosen again.
+bool MakeRequests::keep_pose(animcache::Request &request) const
+{
+    const animcache::PoseKey *kept = caches.kept_pose(request.row);
+    if (!kept || request.shown_s == 0) return false;  // 0 is also the tick of poses that are no function of ticks
+    if (kept->tick_s != request.shown_s || kept->version != request.pose.version ||
+        kept->behaviour_levels != request.pose.behaviour_levels || kept->skeletal_level != request.pose.skeletal_level)
+        return false;
+    request.pose = *kept;
+    request.blend_radius = caches.kept_radius(request.row);
+    return true;
+}
+
 void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) const
 {
     const crowd::Crowd &crowd = given.crowd;
@@ -31,7 +45,6 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
     request.pose.layers = shown.count;
     request.foot_count = shown.foot_count;
     std::copy(shown.feet, shown.feet + shown.foot_count, request.feet);
-    if (follow) request.rigid_mode = animcache::RigidMode::vertices;
     const crowd::LayerState *layer_state = crowd.layers().of(row);
     request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
     if (follow) request.blend_radius += follow->track->locomotion->legs[0].max_shift;
@@ -43,6 +56,7 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
 // S3 3, 4. Only actors that play a single clip can show key-poses; the others use caches of their own.
 void MakeRequests::share_key_poses(animcache::Request &request) const
 {
+    const animcache::KeyPoses &key_poses = caches.key_poses();
     const animcache::KeyPoseMode mode = key_poses.mode_at(request.distance);
     if (!animcache::shows_key_poses(mode) || request.pose.clip == model::none) return;
     request.key_pose = key_poses.select(given.crowd.actor(request.row).tmpl, request.level, mode, request.pose.clip,
@@ -60,6 +74,7 @@ void MakeRequests::add(const Candidate &candidate) const
     const bool behaves = crowd.behaviours().has_mechanisms(row);
     requests.emplace_back();
     if (!found.visibility.visible) return;
+    ++stats.passed_sklsroot;
     animcache::Request &request = requests.back();
     request.tmpl = &crowd.template_of(row);
     request.row = row;
@@ -75,9 +90,10 @@ void MakeRequests::add(const Candidate &candidate) const
         request.pose.tick_s = found.visibility.shown_s;
         request.pose.behaviour_levels = candidate.levels;
     }
+    if (crowd.follows().of(row)) request.rigid_mode = animcache::RigidMode::vertices;
+    if (keep_pose(request)) return;
     choose_clips(request, candidate.levels);
     if (!behaves && request.layers.count == 0 && request.foot_count == 0) share_key_poses(request);
-    ++stats.passed_sklsroot;
 }
 
 base::Status MakeRequests::check() const

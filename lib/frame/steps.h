@@ -89,7 +89,7 @@ struct MakeRequests {
     const Given &given;
     base::Span<const Candidate> candidates;
     base::Span<const Row> rows;
-    const animcache::KeyPoses &key_poses;
+    const animcache::Caches &caches;
 
     std::pmr::vector<pose::Layer> &layers;           // within its capacity
     std::pmr::vector<animcache::Request> &requests;  // within its capacity: one per candidate
@@ -100,6 +100,7 @@ struct MakeRequests {
 
 private:
     void add(const Candidate &candidate) const;
+    bool keep_pose(animcache::Request &request) const;
     void choose_clips(animcache::Request &request, uint64_t levels) const;
     void share_key_poses(animcache::Request &request) const;
 };

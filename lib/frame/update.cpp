@@ -129,7 +129,7 @@ void UpdateRun::choose()
     cull();
     if (!given_.host_calls.ok()) return;
     checked(ChooseLevels{given_, visibilities(), work_.live_since, candidates(), rows}).run();
-    checked(MakeRequests{given_, placed(), found(), caches.key_poses(), work_.layers, caches.pending(), work_.stats})
+    checked(MakeRequests{given_, placed(), found(), caches, work_.layers, caches.pending(), work_.stats})
         .run();
 
     // S1 4: poses that already show their tick are not evaluated again.

@@ -1,6 +1,5 @@
-// Serialises a prepared template, so that a host need not split it again. Little-endian on every machine:
-//   8 bytes magic, u32 version, u32 zero, u64 count of the bytes that follow, u64 FNV-1a of them; then the template in
-//   the order of template.h, every array with its length in front.
+// Serialises a prepared template, so that a host need not split it again: a header (base/file_header.h), then the
+// template in the order of template.h, every array with its length in front.
 // A file has one version; files of other versions are refused and made again from the source.
 #pragma once
 

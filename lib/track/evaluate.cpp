@@ -51,6 +51,13 @@ double cubic(double a, double b, double slope_a, double slope_b, double t)
     return a + t * (slope_a + t * (3 * rise - 2 * slope_a - slope_b + t * (slope_a + slope_b - 2 * rise)));
 }
 
+// Its slope.
+double cubic_slope(double a, double b, double slope_a, double slope_b, double t)
+{
+    const double rise = b - a;
+    return slope_a + t * (2 * (3 * rise - 2 * slope_a - slope_b) + 3 * t * (slope_a + slope_b - 2 * rise));
+}
+
 // The slope at a sample, for one step of the grid.
 Metres slope_at(const Track &track, uint32_t i)
 {
@@ -136,10 +143,13 @@ glm::dvec3 position_at(const Track &track, double time_s) noexcept
 
 double speed_at(const Track &track, double time_s) noexcept
 {
-    const Metres a = point_at(track, place_of(track, time_s - 0.05)),
-                 b = point_at(track, place_of(track, time_s + 0.05));
-    const double x = b.x - a.x, z = b.z - a.z;
-    return std::sqrt(x * x + z * z) / 0.1 / track.metres_per_unit;
+    const Place place = place_of(track, time_s);
+    const Sample &from = track.samples[place.first], &to = track.samples[place.first + 1];
+    if (!is_present(track, time_s) || (stands(from) && stands(to))) return 0;
+    const Metres a = point_of(track, from), b = point_of(track, to);
+    const Metres m = slope_at(track, place.first), n = slope_at(track, place.first + 1);
+    const double x = cubic_slope(a.x, b.x, m.x, n.x, place.part), z = cubic_slope(a.z, b.z, m.z, n.z, place.part);
+    return std::sqrt(x * x + z * z) * track.rate_hz / track.metres_per_unit;
 }
 
 State state_at(const Track &track, double time_s) noexcept

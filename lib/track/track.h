@@ -76,7 +76,7 @@ struct State {
 bool is_present(const Track &track, double time_s) noexcept;
 State state_at(const Track &track, double time_s) noexcept;
 glm::dvec3 position_at(const Track &track, double time_s) noexcept;
-double speed_at(const Track &track, double time_s) noexcept;  // world units a second, over 0.1 s
+double speed_at(const Track &track, double time_s) noexcept;  // world units a second
 
 // Where a foot has to be, in the model space of an actor in `state`.
 pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept;

@@ -2,11 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <type_traits>
 
-#include "lib/base/error.h"
-#include "lib/base/hash.h"
+#include "lib/base/file_header.h"
 
 namespace claque::track
 {
@@ -16,56 +13,7 @@ namespace
 
 using base::fail;
 
-constexpr uint8_t magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'W', 0x1a};
-constexpr size_t header_bytes = 32;
-
-template <class T>
-using Bits = std::conditional_t<
-    sizeof(T) == 1, uint8_t,
-    std::conditional_t<sizeof(T) == 2, uint16_t, std::conditional_t<sizeof(T) == 4, uint32_t, uint64_t>>>;
-
-struct ByteWriter {
-    Array<uint8_t> &out;
-
-    template <class T>
-    void value(const T &v)
-    {
-        Bits<T> bits;
-        std::memcpy(&bits, &v, sizeof bits);
-        for (size_t i = 0; i < sizeof bits; ++i) out.push_back(static_cast<uint8_t>(uint64_t(bits) >> (8 * i)));
-    }
-    template <class A, class Element>
-    void array(const A &values, uint32_t, const Element &element)
-    {
-        value(static_cast<uint32_t>(values.size()));
-        for (const auto &v : values) element(v);
-    }
-};
-
-struct ByteReader {
-    const uint8_t *at;
-    size_t left;
-
-    template <class T>
-    void value(T &v)
-    {
-        if (left < sizeof v) fail(CLQ_FORMAT, "a saved track ends %zu bytes too early", sizeof v - left);
-        uint64_t bits = 0;
-        for (size_t i = 0; i < sizeof v; ++i) bits |= uint64_t(at[i]) << (8 * i);
-        const Bits<T> narrow = static_cast<Bits<T>>(bits);
-        std::memcpy(&v, &narrow, sizeof v);
-        at += sizeof v, left -= sizeof v;
-    }
-    template <class A, class Element>
-    void array(A &values, uint32_t smallest, const Element &element)
-    {
-        uint32_t count = 0;
-        value(count);
-        if (count > left / smallest) fail(CLQ_FORMAT, "a saved track announces %u elements in %zu bytes", count, left);
-        values.resize(count);
-        for (auto &v : values) element(v);
-    }
-};
+constexpr base::FileForm form = {{'c', 'l', 'a', 'q', 'u', 'e', 'W', 0x1a}, track_file_version, "a saved track"};
 
 // One list of fields for writing and reading.
 template <class Archive, class T>
@@ -134,37 +82,23 @@ uint64_t hash_of(const Locomotion &locomotion)
 
 void save(const Track &track, Array<uint8_t> &out)
 {
-    Array<uint8_t> contents(out.get_allocator());
-    contents.reserve(track.bytes() + 256);
-    ByteWriter writer{contents};
-    writer.value(hash_of(*track.locomotion));
-    walk(writer, track);
-    ByteWriter header{out};
-    out.reserve(out.size() + header_bytes + contents.size());
-    for (const uint8_t byte : magic) header.value(byte);
-    header.value(track_file_version), header.value(uint32_t(0)), header.value(uint64_t(contents.size()));
-    header.value(base::fnv(base::fnv_start, contents.data(), contents.size()));
-    out.insert(out.end(), contents.begin(), contents.end());
+    out.reserve(out.size() + track.bytes() + 256);
+    base::append_file(form, out, [&](auto &archive) {
+        archive.value(hash_of(*track.locomotion));
+        walk(archive, track);
+    });
 }
 
 void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track &out)
 {
-    if (size < header_bytes || !std::equal(magic, magic + 8, bytes)) fail(CLQ_FORMAT, "these bytes are no saved track");
-    ByteReader in{bytes + 8, size - 8};
-    uint32_t version = 0, zero = 0;
-    uint64_t length = 0, hash = 0, made_for = 0;
-    in.value(version), in.value(zero), in.value(length), in.value(hash);
-    if (version != track_file_version)
-        fail(CLQ_FORMAT, "a saved track of version %u; this library reads version %u", version, track_file_version);
-    if (zero != 0 || length != in.left)
-        fail(CLQ_FORMAT, "a saved track of %llu bytes has %zu", base::big(length), in.left);
-    if (base::fnv(base::fnv_start, in.at, in.left) != hash) fail(CLQ_FORMAT, "a saved track was changed");
+    base::ArchiveReader<> in = base::open_file(form, bytes, size);
+    uint64_t made_for = 0;
     in.value(made_for);
     if (made_for != hash_of(locomotion))
         fail(CLQ_ARGUMENT, "the saved track was made for another locomotion: its template or its clips differ");
     out.locomotion = &locomotion;
     walk(in, out);
-    if (in.left != 0) fail(CLQ_FORMAT, "a saved track has %zu bytes too many", in.left);
+    in.end();
     check(out, locomotion);
     index_plants(out);
     out.hash = hash_of(out);

@@ -1,5 +1,4 @@
-// Tracks as bytes. Little-endian on every machine: 8 bytes magic, u32 version, u32 zero, u64 size of the contents, u64
-// FNV-1a of them; then the locomotion's hash and the members of Track in their order.
+// Tracks as bytes: a header (base/file_header.h), the locomotion's hash, and the members of Track in their order.
 #pragma once
 
 #include "lib/track/track.h"

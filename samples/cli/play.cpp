@@ -44,7 +44,7 @@ void add_play(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<RenderArguments>();
     auto tracks = std::make_shared<TrackArguments>();
-    CLI::App *c = app.add_subcommand("play", "Draw people who walk where a file of trajectories says that they were");
+    CLI::App *c = app.add_subcommand("play", "Draw people walking along the trajectories of a file");
     c->add_option("FILE", tracks->file, "Trajectories: docs/trajectories.md lists the formats")->required();
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);

@@ -1,4 +1,4 @@
-// claque tracks: who was where in a file of trajectories, how claque shows it, and a plan of the paths.
+// claque tracks: what a file of trajectories contains, how claque shows it, and a plan of the paths.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

@@ -1,5 +1,6 @@
 #!/bin/sh
-# style.sh SOURCE_DIR: holds what clang-format cannot: the folders of the top level, lines of at most 120 columns, names of tests.
+# style.sh SOURCE_DIR: holds what clang-format cannot: the folders of the top level, lines of at most 120 columns, names
+# of tests.
 set -eu
 cd "$1"
 bad=0
@@ -18,6 +19,9 @@ done
 
 sources=$(find animcache include lib meshsplit passes samples tests \( -name '*.h' -o -name '*.cpp' -o -name '*.c' \) | sort)
 report 'lines of more than 120 columns' "$(echo "$sources" | grep -v '^samples/parity/report_html.cpp$\|^tests/unit/parity/capture_files.cpp$' | xargs awk 'length > 120 { print FILENAME ":" FNR }')"  # texts of other languages
+scripts=$(find Makefile cmake lib tests samples \( -name Makefile -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name CMakeLists.txt \) | sort)
+report 'comments of scripts with more than 120 columns' \
+    "$(echo "$scripts" | xargs awk 'length > 120 && /^ *#/ { print FILENAME ":" FNR }')"
 report 'names of tests are sentences in CamelCase, suites too' \
     "$(echo "$sources" | xargs grep -nE '^(TYPED_)?TEST(_F|_P)?\((([a-z]|[A-Za-z0-9]+_)[A-Za-z0-9_]*, |[A-Za-z0-9_]+, ([a-z]|[A-Za-z0-9]+_))' || true)"
 exit $bad

@@ -1,6 +1,7 @@
 #!/bin/sh
-# reuse.sh COMPILER ARGUMENT...: compiles, or takes the object from the build in CLAQUE_REUSE_BUILD if that was made from the same
-# source by the same command line. Folders differ: here the library is a folder `claque` of another project.
+# reuse.sh COMPILER ARGUMENT...: compiles, or takes the object from the build in CLAQUE_REUSE_BUILD if that was made
+# from the same source by the same command line. Folders differ: here the library is a folder `claque` of another
+# project.
 set -eu
 compile() { exec "$@"; }
 

@@ -13,6 +13,7 @@ struct Subcommand {
     const char *name;
     std::vector<std::string> words;
     bool draws = false;     // needs a GL
+    bool is_slow = false;   // takes seconds, and shares its files' code with quicker ones
     bool recovers = false;  // a library below it does without some operations, with the same result
 };
 

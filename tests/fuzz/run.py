@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""run.py [--merge] [SECONDS [NAME...]]: builds the fuzzers (preset fuzz), runs each for SECONDS of CPU time (default 20)
-from its corpus and its seeds, and prints one table. Exits with 1 if a fuzzer found something; the input is then in
+"""run.py [--merge] [SECONDS [NAME...]]: builds the fuzzers (preset fuzz), runs each for SECONDS of CPU time (default
+20) from its corpus and its seeds, and prints one table. Exits with 1 if a fuzzer found something; the input is then in
 out/fuzz. --merge writes the smallest set of inputs with the same coverage to tests/fuzz/corpus. See README.md."""
 import os
 import re

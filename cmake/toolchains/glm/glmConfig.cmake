@@ -1,5 +1,5 @@
-# GLM for another machine: its headers are the same everywhere, but the folder they lie in has this machine's as well, so
-# that a compiler for another one may see GLM alone.
+# GLM for another machine: its headers are the same everywhere, but the folder they lie in has this machine's as well,
+# so that a compiler for another one may see GLM alone.
 set(glm_headers /usr/include/glm)
 if(NOT EXISTS ${glm_headers}/glm.hpp)
     set(glm_FOUND FALSE)

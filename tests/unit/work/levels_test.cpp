@@ -81,7 +81,7 @@ TEST(LevelsWork, IsBoundedByTheTriangles)
 {
     for (const Shape shape : {Shape::net, Shape::loose, Shape::layers, Shape::needles})
         for (const bool moving : {false, true})
-            for (const size_t count : {200, 1500}) hold(shape, count, moving);
+            for (const size_t count : {150, 700}) hold(shape, count, moving);
 }
 
 }  // namespace
