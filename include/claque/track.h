@@ -6,7 +6,10 @@
  * once, when the track is created, so any time can be shown without the times before it, in constant time.
  *
  * Both are immutable and are shared by any number of actors, crowds and threads. A track holds its locomotion, and a
- * crowd holds the tracks that its actors have followed until it is destroyed.
+ * crowd holds the tracks that its actors have followed until it is destroyed or clq_crowd_release_tracks is called.
+ *
+ * A track can be made in pieces, while it is decided where a person goes: each is a track that continues the one
+ * before (clq_track_def.previous), and never changes afterwards.
  *
  * Positions are in world units, y up. A heading is an angle about y in radians: at 0 the actor looks along +z, at
  * pi / 2 along +x. Times are seconds on the track's own clock. GL: none. */
@@ -93,7 +96,17 @@ typedef struct clq_track_def {
     float smooth_s;
     float metres_per_unit; /* (> 0) as in clq_crowd_def. Default 1 */
     float scale;           /* (> 0) of the actors that will follow the track, as in clq_transform. Default 1 */
-    uint64_t seed;         /* chooses idle clips and the foot that starts */
+    uint64_t seed;         /* chooses idle clips and the foot that starts; all pieces of a person have the same */
+    /* The piece before: this track begins where that one ends, with its place, heading, phase, gait, idle clip and
+     * feet. Of the same locomotion, metres_per_unit and scale. The points begin before that end, 1.5 s or more for a
+     * path like that of a whole track, and need not be those that the piece before was made of. Not held.
+     * NULL (default): none */
+    const clq_track *previous;
+    /* Where this piece ends, seconds, 0.1 s or more after its begin. The points behind it say how the person goes on:
+     * give 1 s or more, so that feet come down where the next piece has them and stands begin in time. Points up to 2 s
+     * before and behind the piece are used. From the time of the last point on (default 1e300): at the last point,
+     * which is then the last place of the person */
+    double end_s;
 } clq_track_def;
 
 static inline clq_track_def clq_track_def_init(void)
@@ -104,6 +117,7 @@ static inline clq_track_def clq_track_def_init(void)
     def.smooth_s = 1.1f;
     def.metres_per_unit = 1.0f;
     def.scale = 1.0f;
+    def.end_s = 1e300;
     return def;
 }
 
@@ -131,6 +145,7 @@ typedef struct clq_track_info {
     uint32_t plant_count;             /* times that a foot stands */
     uint64_t bytes;                   /* held */
     uint64_t hash;                    /* of the track's contents: equal tracks have equal hashes on every machine */
+    uint64_t previous_hash;           /* of the piece that this one continues; 0: of none */
 } clq_track_info;
 
 CLQ_DEFINE_ZERO_INIT(clq_track_info)
@@ -163,9 +178,15 @@ CLQ_API clq_status clq_track_save(const clq_track *track, clq_write_function wri
 CLQ_API clq_status clq_track_load(const clq_locomotion *locomotion, const void *bytes, size_t size_bytes,
                                   clq_track **out);
 
+enum { CLQ_TRACK_PIECES = 4 };
+
 /* Lets an actor follow a track. It appears and disappears with the track; in between the track places its Reference
  * Point and plays its clips. Of its transform only the scale counts. Fades and layers end, layers may be added. A
  * member of a group cannot follow a track, and an actor that follows one cannot join a group.
+ *
+ * A piece that continues the track that the actor follows, with the same start_s, is added to it: the actor plays on,
+ * fades and layers too, and each time is shown by its piece. Up to CLQ_TRACK_PIECES pieces are kept, the newest; times
+ * before them are before the track.
  *   start_s   the time on the clock of clq_crowd_update at which the track's own clock is at 0
  * Fails: STALE_ID, ARGUMENT (a track of another template; a member of a group), OUT_OF_MEMORY, BUSY.
  * Threads: the crowd's writer. */
@@ -186,6 +207,12 @@ CLQ_API clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, doub
  * Tracks that actors of this crowd have followed are known already.
  * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
 CLQ_API clq_status clq_crowd_add_track(clq_crowd *crowd, clq_track *track);
+
+/* Lets go of every track that no actor of the crowd follows now, so that a long run of pieces needs no more memory than
+ * the pieces that are shown.
+ *   released   how many; may be NULL
+ * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_crowd_release_tracks(clq_crowd *crowd, uint32_t *released);
 
 #ifdef __cplusplus
 }

@@ -78,6 +78,10 @@ clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_de
         settings.metres_per_unit = double(wanted.metres_per_unit);
         settings.scale = double(wanted.scale);
         settings.seed = wanted.seed;
+        settings.previous = wanted.previous;
+        settings.end_s = wanted.end_s;
+        if (wanted.previous)
+            api::require(wanted.previous->context == locomotion->context, "the piece before is of another context");
         api::Making<clq_track> made(locomotion->context, locomotion);
         track::build(*locomotion, base::Span<const track::Point>(points), settings, *made);
         *out = made.release();
@@ -103,6 +107,7 @@ clq_status clq_track_get_info(const clq_track *track, clq_track_info *out)
         info.plant_count = static_cast<uint32_t>(track->plants[0].size() + track->plants[1].size());
         info.bytes = track->bytes();
         info.hash = track->hash;
+        info.previous_hash = track->previous_hash;
         api::write_out(out, info);
     });
 }
@@ -184,6 +189,28 @@ clq_status clq_crowd_add_track(clq_crowd *crowd, clq_track *track)
         NewTrack held(crowd, track);
         crowd->crowd.tables.follows.add(*track);
         held.keep();
+    });
+}
+
+clq_status clq_crowd_release_tracks(clq_crowd *crowd, uint32_t *released)
+{
+    return api::boundary("clq_crowd_release_tracks", [&] {
+        api::require(crowd != nullptr, "crowd is NULL");
+        const api::Busy busy(crowd);
+        std::pmr::unordered_set<const track::Track *> used(&crowd->context->memory);
+        crowd->crowd.tables.follows.forget_unused(used);
+        uint32_t count = 0;
+        for (auto at = crowd->tracks.begin(); at != crowd->tracks.end();) {
+            if (used.count(*at)) {
+                ++at;
+                continue;
+            }
+            clq_track *unused = *at;
+            at = crowd->tracks.erase(at);
+            api::release(unused);
+            ++count;
+        }
+        if (released) *released = count;
     });
 }
 

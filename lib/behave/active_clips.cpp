@@ -88,8 +88,8 @@ public:
     // The clips of the track's gait at its time, and its feet.
     void replace_by_track(const crowd::Follow &follow, double weight)
     {
-        const track::Track &track = *follow.track;
         const double at_s = crowd::track_time(follow, time_s_);
+        const track::Track &track = crowd::piece_at(follow, at_s);
         const track::State state = track::state_at(track, at_s);
         pose::Layer layers[3];
         const uint32_t count = track::layers_of(*track.locomotion, state.gait, state.phase, state.idle,

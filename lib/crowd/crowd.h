@@ -95,7 +95,9 @@ glm::dvec3 reference_position_of(const Crowd &crowd, uint32_t row, double time_s
 inline bool is_present(const Crowd &crowd, uint32_t row, double time_s)
 {
     const Follow *follow = crowd.follows().of(row);
-    return !follow || track::is_present(*follow->track, track_time(*follow, time_s));
+    if (!follow) return true;
+    const double track_time_s = track_time(*follow, time_s);
+    return track::is_present(piece_at(*follow, track_time_s), track_time_s);
 }
 
 }  // namespace claque::crowd

@@ -27,6 +27,17 @@ const track::Track *Follows::find(uint64_t hash, const model::Template &tmpl) co
     return nullptr;
 }
 
+void Follows::forget_unused(std::pmr::unordered_set<const track::Track *> &used)
+{
+    for (const uint32_t slot : of_) {
+        if (slot == none) continue;
+        used.insert(slots_[slot].track);
+        for (const track::Track *earlier : slots_[slot].earlier)
+            if (earlier) used.insert(earlier);
+    }
+    for (auto at = known_.begin(); at != known_.end();) at = used.count(at->second) ? std::next(at) : known_.erase(at);
+}
+
 void Follows::clear_row(uint32_t row) noexcept
 {
     if (of_[row] != none) slots_.free(of_[row]);
@@ -81,17 +92,39 @@ Transform reference_of(const Crowd &crowd, uint32_t row, double time_s)
 {
     const Follow *follow = crowd.follows().of(row);
     if (!follow) return crowd.world_transform_of(row);
-    return placed_on(*follow->track, track_time(*follow, time_s), crowd.transform_of(row).scale);
+    const double track_time_s = track_time(*follow, time_s);
+    return placed_on(piece_at(*follow, track_time_s), track_time_s, crowd.transform_of(row).scale);
 }
 
 glm::dvec3 reference_position_of(const Crowd &crowd, uint32_t row, double time_s)
 {
-    if (const Follow *follow = crowd.follows().of(row))
-        return track::position_at(*follow->track, track_time(*follow, time_s));
+    if (const Follow *follow = crowd.follows().of(row)) {
+        const double track_time_s = track_time(*follow, time_s);
+        return track::position_at(piece_at(*follow, track_time_s), track_time_s);
+    }
     const Transform &inner = crowd.transform_of(row);
     const uint32_t group = crowd.group_of(row);
     return group == none ? inner.position : composed_position(crowd.group(group).transform, inner.position);
 }
+
+namespace
+{
+
+// Whether a track goes on where the followed one ends, on the same clock.
+bool continues(const Follow *follow, const track::Track &track, double start_s)
+{
+    return follow && track.previous_hash != 0 && follow->track->hash == track.previous_hash &&
+           follow->start_s == start_s;
+}
+
+void push_piece(Follow &follow, const track::Track &track)
+{
+    for (uint32_t i = max_earlier_pieces; i-- > 1;) follow.earlier[i] = follow.earlier[i - 1];
+    follow.earlier[0] = follow.track;
+    follow.track = &track;
+}
+
+}  // namespace
 
 void follow_track(Crowd &crowd, Id id, const track::Track &track, double start_s)
 {
@@ -105,9 +138,16 @@ void follow_track(Crowd &crowd, Id id, const track::Track &track, double start_s
         fail(CLQ_ARGUMENT, "a member of a group cannot follow a track: it must leave its group first");
     Follows &follows = crowd.tables.follows;
     follows.add(track);
+    if (continues(follows.of(row), track, start_s)) {
+        push_piece(*follows.of(row), track);
+        new_version(crowd, row);
+        return measure(crowd, row);
+    }
     Follow &follow = follows.make(row);
     const uint64_t seed = crowd.actor(row).seed;
-    follow = {&track, start_s, true, 30 * base::unit(base::hash(crowd.seed(), seed, base::Purpose::phase))};
+    follow = Follow();
+    follow.track = &track, follow.start_s = start_s;
+    follow.offset_s = 30 * base::unit(base::hash(crowd.seed(), seed, base::Purpose::phase));
     crowd.tables.layers.clear_row(row);
     new_version(crowd, row);
     measure(crowd, row);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <unordered_set>
 
 #include "lib/base/slot_map.h"
 #include "lib/crowd/layers.h"
@@ -10,8 +11,12 @@
 namespace claque::crowd
 {
 
+constexpr uint32_t max_earlier_pieces = 3;
+
 struct Follow {
-    const track::Track *track = nullptr;
+    const track::Track *track = nullptr;  // the newest piece, or the whole track
+    // The pieces before it, from the newest to the oldest; null: no more.
+    const track::Track *earlier[max_earlier_pieces] = {};
     double start_s = 0;  // the track's own time 0 on the clock of updates
     bool walks = true;   // it plays the track's gait; false: clips of its own while it is moved along the track
     float offset_s = 0;  // of the clips that it stands with
@@ -24,6 +29,9 @@ public:
 
     // Tracks that actors of this crowd may follow after it was restored; their owner keeps them.
     void add(const track::Track &track);
+    // The tracks that no actor follows are known no longer; those that one follows, in `used`. May throw before it
+    // changes anything.
+    void forget_unused(std::pmr::unordered_set<const track::Track *> &used);
     const track::Track *find(uint64_t hash, const model::Template &tmpl) const;  // null: there is none
 
     // Rows.
@@ -45,6 +53,17 @@ private:
     base::SlotMap<Follow> slots_;
     Array<uint32_t> of_;  // by row, of slots_
 };
+
+// The piece that shows a time of the track.
+inline const track::Track &piece_at(const Follow &follow, double track_time_s) noexcept
+{
+    const track::Track *piece = follow.track;
+    for (const track::Track *earlier : follow.earlier) {
+        if (track_time_s >= piece->start_s || !earlier) break;
+        piece = earlier;
+    }
+    return *piece;
+}
 
 inline double track_time(const Follow &follow, double time_s) { return time_s - follow.start_s; }
 

@@ -48,25 +48,37 @@ void read_colours(Reader &in, Tables &out, uint32_t row)
     for (uint32_t i = 0; i < bytes; ++i) in.value(rgb[i]);
 }
 
-void read_follow(Reader &in, Crowd &out, uint32_t row)
+const track::Track &known_track(const Crowd &crowd, uint32_t row, uint64_t hash)
 {
-    bool follows = false;
-    in.flag(follows);
-    if (!follows) return;
-    uint64_t hash = 0;
-    Follow read;
-    in.value(hash), walk_follow(in, read);
-    const track::Track *track = out.follows().find(hash, out.template_of(row));
+    const track::Track *track = crowd.follows().find(hash, crowd.template_of(row));
     if (!track)
         throw Missing(
             CLQ_ARGUMENT,
             base::text_of("actor %u of the saved crowd follows a track of hash %016llx and template '%s', which "
                           "this crowd does not know: add it with clq_crowd_add_track",
-                          row + 1, base::big(hash), out.template_of(row).name.c_str()));
-    follow_track(out, out.id_of(row), *track, read.start_s);
+                          row + 1, base::big(hash), crowd.template_of(row).name.c_str()));
+    return *track;
+}
+
+void read_follow(Reader &in, Crowd &out, uint32_t row)
+{
+    bool follows = false;
+    in.flag(follows);
+    if (!follows) return;
+    Follow read;
+    uint64_t hash = 0, earlier[max_earlier_pieces] = {};
+    walk_follow(in, read), in.value(hash);
+    for (uint64_t &before : earlier) in.value(before);
+    follow_track(out, out.id_of(row), known_track(out, row, hash), read.start_s);
     if (!std::isfinite(read.offset_s)) fail(CLQ_FORMAT, "a saved crowd's actor %u has a clock that is not finite", row);
     Follow &follow = *out.tables.follows.of(row);
     follow.walks = read.walks, follow.offset_s = read.offset_s;
+    const track::Track *piece = follow.track;
+    for (uint32_t i = 0; i < max_earlier_pieces && piece; ++i) {
+        if (earlier[i] != 0 && earlier[i] != piece->previous_hash)
+            fail(CLQ_FORMAT, "a saved crowd's actor %u follows pieces of different tracks", row);
+        piece = follow.earlier[i] = earlier[i] != 0 ? &known_track(out, row, earlier[i]) : nullptr;
+    }
 }
 
 void read_actor(Reader &in, Crowd &out, uint32_t row)

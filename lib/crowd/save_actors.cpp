@@ -61,7 +61,11 @@ void write_actor(Writer &out, const Crowd &crowd, uint32_t row)
     write_behaviour(out, crowd.behaviours(), row);
     const Follow *follow = crowd.follows().of(row);
     out.flag(follow != nullptr);
-    if (follow) out.value(follow->track->hash), walk_follow(out, *follow);
+    if (follow) {
+        walk_follow(out, *follow);
+        out.value(follow->track->hash);
+        for (const track::Track *earlier : follow->earlier) out.value(earlier ? earlier->hash : uint64_t(0));
+    }
     const base::Span<const uint32_t> watched = crowd.watched();
     out.flag(std::binary_search(watched.begin(), watched.end(), row));
     write_layering(out, crowd.layers().of(row));

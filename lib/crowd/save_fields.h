@@ -70,7 +70,7 @@ void walk_command(Archive &a, O &command)
     a.value(command.from_yaw), a.value(command.from_pitch), a.value(command.side);
 }
 
-// The track is saved as its hash.
+// The track and the pieces before it are saved as their hashes.
 template <class Archive, class F>
 void walk_follow(Archive &a, F &follow)
 {

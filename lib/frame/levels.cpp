@@ -35,7 +35,9 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
 double ChooseLevels::speed_of(uint32_t crowd_row) const
 {
     const crowd::Follow *follow = given.crowd.follows().of(crowd_row);
-    return follow ? track::speed_at(*follow->track, crowd::track_time(*follow, given.time_s)) : 0;
+    if (!follow) return 0;
+    const double track_time_s = crowd::track_time(*follow, given.time_s);
+    return track::speed_at(crowd::piece_at(*follow, track_time_s), track_time_s);
 }
 
 void ChooseLevels::evaluate_candidate(uint32_t i) const

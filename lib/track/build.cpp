@@ -1,8 +1,10 @@
 #include "lib/track/build.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/track/piece.h"
 
 namespace claque::track
 {
@@ -24,9 +26,12 @@ void check(base::Span<const Point> points, const BuildSettings &settings)
     };
     require_positive("metres_per_unit", settings.metres_per_unit);
     require_positive("scale", settings.scale);
+    if (std::isnan(settings.end_s)) fail(CLQ_ARGUMENT, "end_s of a track is not a number");
     require_positive("max_turn_rad_s", settings.max_turn_rad_s);
     if (!(settings.smooth_s >= 0) || settings.smooth_s > 60)
         fail(CLQ_ARGUMENT, "smooth_s of a track is %g: 0 to 60 is wanted", settings.smooth_s);
+    const glm::dvec3 first_m =
+        settings.previous ? settings.previous->origin_m : points[0].position * settings.metres_per_unit;
     for (uint32_t i = 0; i < points.count; ++i) {
         const Point &p = points[i];
         if (!std::isfinite(p.time_s)) fail(CLQ_ARGUMENT, "the time of point %u of a track is not finite", i);
@@ -36,7 +41,7 @@ void check(base::Span<const Point> points, const BuildSettings &settings)
         for (int k = 0; k < 3; ++k)
             if (!std::isfinite(p.position[k]))
                 fail(CLQ_ARGUMENT, "the position of point %u of a track is not finite", i);
-        const glm::dvec3 d = (p.position - points[0].position) * settings.metres_per_unit;
+        const glm::dvec3 d = p.position * settings.metres_per_unit - first_m;
         if (!(std::fabs(d.x) < max_reach_m && std::fabs(d.y) < max_reach_m && std::fabs(d.z) < max_reach_m))
             fail(CLQ_LIMIT, "point %u of a track is %.6g, %.6g, %.6g m from its first point: %g m at most are possible",
                  i, d.x, d.y, d.z, max_reach_m);
@@ -46,17 +51,20 @@ void check(base::Span<const Point> points, const BuildSettings &settings)
         fail(CLQ_LIMIT, "a track of %.6g s: at most %g s are possible", length, max_length_s);
 }
 
-void report(base::Span<const Point> points, const FinePath &path, Track &out)
+void report(base::Span<const Point> points, double end_s, const FinePath &path, Track &out)
 {
     double sum = 0;
+    uint32_t shown = 0;
     for (uint32_t i = 0; i < points.count; ++i) {
+        if (points[i].time_s < out.start_s || points[i].time_s > end_s) continue;
+        ++shown;
         const glm::dvec3 d = (position_at(out, points[i].time_s) - points[i].position) * out.metres_per_unit;
         const double shift = std::sqrt(d.x * d.x + d.z * d.z);
         sum += shift;
         out.max_shift_m = std::fmax(out.max_shift_m, shift);
     }
-    out.mean_shift_m = sum / points.count;
-    for (uint32_t i = 1; i < path.count(); ++i) {
+    out.mean_shift_m = sum / std::max(1u, shown);
+    for (uint32_t i = path.first + 1; i <= path.last; ++i) {
         const double x = path.x[i] - path.x[i - 1], z = path.z[i] - path.z[i - 1];
         out.distance_m += std::sqrt(x * x + z * z);
         out.standing_s += path.stands[i] ? 1 / path.hz : 0;
@@ -72,21 +80,36 @@ void build(const Locomotion &locomotion, base::Span<const Point> points, const B
     out.locomotion = &locomotion;
     out.metres_per_unit = settings.metres_per_unit;
     out.scale = settings.scale * settings.metres_per_unit;
-    out.start_s = points[0].time_s;
-    out.length_s = points[points.count - 1].time_s - out.start_s;
+    const Track *previous = settings.previous;
+    const double last_s = points[points.count - 1].time_s, end_s = std::min(settings.end_s, last_s);
+    out.start_s = previous ? end_of(*previous) : points[0].time_s;
+    out.length_s = end_s - out.start_s;
+    out.previous_hash = previous ? previous->hash : 0;
     // Whole metres, so that sums with the origin round as little as can be.
-    for (int k = 0; k < 3; ++k) out.origin_m[k] = std::floor(points[0].position[k] * settings.metres_per_unit);
+    for (int k = 0; k < 3; ++k)
+        out.origin_m[k] =
+            previous ? previous->origin_m[k] : std::floor(points[0].position[k] * settings.metres_per_unit);
 
     FinePath path(memory);
+    if (previous || end_s < last_s) {
+        check_piece(locomotion, points, settings);
+        make_piece_grid(points, settings, path);
+        points = in_sight(points, path);
+    } else {
+        make_grid(points, path);
+    }
     make_path(points, settings, out.origin_m, path);
     find_stands(settings, path);
+    if (previous) join_path(path);
     make_heading(points, settings, path);
-    make_gait(locomotion, settings, path);
+    if (previous) join_heading(settings.max_turn_rad_s, path);
+    out.stand_count = make_gait(locomotion, settings, path);
     pack(path, out);
     make_plants(locomotion, path, out);
     index_plants(out);
+    if (previous) join_swings(*previous, out);
     out.hash = hash_of(out);
-    report(points, path, out);
+    report(points, end_s, path, out);
 }
 
 }  // namespace claque::track

@@ -6,7 +6,11 @@
 //   gait      the share of each clip by speed, the phase by the distance travelled
 //   plants    when each foot stands and where
 //   pack      the coarsest grid that keeps the path
+// A piece of a track goes through the same steps, on the points from a little before it to a little after it, and is
+// joined to the piece before (piece.h).
 #pragma once
+
+#include <limits>
 
 #include "lib/track/track.h"
 
@@ -26,6 +30,9 @@ struct BuildSettings {
     double scale = 1;             // world units per model unit, of the actors that will follow the track
     uint64_t seed = 0;            // chooses clips to stand with, and the foot that starts
     double max_turn_rad_s = 3.1;  // a little less than half a turn a second
+    // Of pieces: the piece before, or null, and the time up to which the track is made if the points go on behind it.
+    const Track *previous = nullptr;
+    double end_s = std::numeric_limits<double>::infinity();
 };
 
 // Throws base::Error (ARGUMENT: no points, times that do not ascend, numbers that are not finite; LIMIT) or
@@ -66,15 +73,20 @@ struct FinePath {
         uint32_t first = 0, last = 0;
     };
     Array<Piece> pieces;
+    // The samples that the track gets; the others were seen only. A whole track gets all.
+    uint32_t first = 0, last = 0;
+    const Track *previous = nullptr;  // ends at `first`
 
     uint32_t count() const { return static_cast<uint32_t>(x.size()); }
 };
 
+void make_grid(base::Span<const Point> points, FinePath &path);
 void make_path(base::Span<const Point> points, const BuildSettings &settings, const glm::dvec3 &origin_m,
-               FinePath &path);
+               FinePath &path);  // on the grid
 void find_stands(const BuildSettings &settings, FinePath &path);
 void make_heading(base::Span<const Point> points, const BuildSettings &settings, FinePath &path);
-void make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path);
+// Returns how often the person began to stand up to the end of the track, with the pieces before.
+uint32_t make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path);
 void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out);
 void pack(const FinePath &path, Track &out);
 
@@ -84,5 +96,11 @@ enum class Beyond { mirrored, still };
 
 // The mean of the values within `half` of each, over the samples from first to last.
 void smooth(Array<double> &values, uint32_t first, uint32_t last, uint32_t half, Beyond beyond);
+
+// Of the path as it is, over the samples beside each.
+void measure_speed(FinePath &path);
+void measure_turn(FinePath &path);  // what turns does not stand
+// The angle nearest to `to` among those that differ from `angle` by whole turns.
+double nearest_turn(double angle, double to);
 
 }  // namespace claque::track

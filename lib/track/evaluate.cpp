@@ -94,10 +94,6 @@ glm::dvec3 world_of(const Track &track, const Metres &p)
 double shorter(double angle_rad) { return angle_rad - turn_rad * std::floor(angle_rad / turn_rad + 0.5); }
 
 // The correction of a foot in the air goes from that at the end of one plant to that at the beginning of the next.
-struct Correction {
-    double x = 0, z = 0, turn_rad = 0;
-};
-
 Correction at_begin(const Plant &plant, double heading_rad)
 {
     return {double(plant.begin_x), double(plant.begin_z), shorter(double(plant.heading_rad) - heading_rad)};
@@ -118,8 +114,6 @@ uint32_t plant_at(const Track &track, int foot, double gone_s)
     while (i < plants.size() && double(plants[i].end_s) < gone_s) ++i;
     return i;
 }
-
-constexpr double landing_s = 0.08;  // in which the ground takes hold of a foot and lets it go
 
 }  // namespace
 
@@ -167,6 +161,31 @@ State state_at(const Track &track, double time_s) noexcept
     return state;
 }
 
+Correction correction_at(const Track &track, const State &state, int foot, double time_s) noexcept
+{
+    const Array<Plant> &plants = track.plants[foot];
+    const double gone_s = time_s - track.start_s;
+    const uint32_t i = plant_at(track, foot, gone_s);
+    Correction out;
+    const bool before = i > 0, after = i < plants.size();
+    if (before && after) {
+        const double begin = double(plants[i - 1].end_s), end = double(plants[i].begin_s);
+        const double part = eased((gone_s - begin) / (end - begin));
+        const Correction a = at_end(plants[i - 1], state.heading_rad), b = at_begin(plants[i], state.heading_rad);
+        out = {a.x + (b.x - a.x) * part, a.z + (b.z - a.z) * part, a.turn_rad + (b.turn_rad - a.turn_rad) * part};
+    } else if (before) {
+        out = at_end(plants[i - 1], state.heading_rad);
+    } else if (after) {
+        out = at_begin(plants[i], state.heading_rad);
+    }
+    const Swing &swing = track.swings[foot];
+    if (gone_s < double(swing.until_s)) {
+        const double left = 1 - eased(gone_s / double(swing.until_s));
+        out.x += double(swing.x) * left, out.z += double(swing.z) * left, out.turn_rad += double(swing.turn_rad) * left;
+    }
+    return out;
+}
+
 pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept
 {
     const Array<Plant> &plants = track.plants[foot];
@@ -190,18 +209,7 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
         const double edge = std::fmin(gone_s - double(plant.begin_s), double(plant.end_s) - gone_s);
         target.ground = static_cast<float>(eased(edge / landing_s));
     } else {
-        const bool before = i > 0, after = i < plants.size();
-        if (before && after) {
-            const double begin = double(plants[i - 1].end_s), end = double(plants[i].begin_s);
-            const double part = eased((gone_s - begin) / (end - begin));
-            const Correction a = at_end(plants[i - 1], state.heading_rad), b = at_begin(plants[i], state.heading_rad);
-            correction = {a.x + (b.x - a.x) * part, a.z + (b.z - a.z) * part,
-                          a.turn_rad + (b.turn_rad - a.turn_rad) * part};
-        } else if (before) {
-            correction = at_end(plants[i - 1], state.heading_rad);
-        } else if (after) {
-            correction = at_begin(plants[i], state.heading_rad);
-        }
+        correction = correction_at(track, state, foot, time_s);
         set(correction.x, correction.z);
     }
     const double turn = std::fmax(-max_foot_turn_rad, std::fmin(max_foot_turn_rad, correction.turn_rad));

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/base/hash.h"
-#include "lib/track/build.h"
+#include "lib/track/piece.h"
 
 namespace claque::track
 {
@@ -74,44 +74,54 @@ void set_gait(const Locomotion &locomotion, double scale_m, FinePath &path)
     });
 }
 
-void set_phase(const Locomotion &locomotion, const BuildSettings &settings, double scale_m, FinePath &path)
+// Returns the number of stands up to the end of the track.
+uint32_t set_phase(const Locomotion &locomotion, const BuildSettings &settings, double scale_m, FinePath &path)
 {
     path.phase.assign(path.count(), 0.0);
     path.idle.assign(path.count(), 0);
     const uint32_t idles = std::max(1u, locomotion.clips.idle_count);
-    uint64_t number = 0;  // of the stand before this sample
+    const Track *previous = path.previous;
+    uint64_t number = previous ? previous->stand_count : 0;  // of the stand before this sample
+    uint64_t number_at_end = number;
     const auto sample = [&](base::Purpose purpose) { return base::unit(base::hash(settings.seed, number, purpose)); };
-    double phase = double(sample(base::Purpose::phase));
+    double phase = previous ? previous->samples.back().phase / 65536.0 : double(sample(base::Purpose::phase));
     uint8_t idle = static_cast<uint8_t>(sample(base::Purpose::idle) * static_cast<float>(idles));
-    for (uint32_t i = 0; i < path.count(); ++i) {
+    std::fill(path.phase.begin(), path.phase.begin() + path.first, phase);
+    for (uint32_t i = path.first; i < path.count(); ++i) {
+        const bool moved = i > path.first;
         // The next walk begins with the foot that leaves the ground; no one sees the phase of a stand.
-        if (i > 0 && path.stands[i] && path.stands[i - 1])
+        if (moved && path.stands[i] && path.stands[i - 1])
             phase = lift_of(locomotion, sample(base::Purpose::pick) < 0.5f ? 0 : 1);
-        if (i > 0 && !path.stands[i]) {
+        if (moved && !path.stands[i]) {
             const double gait = std::max(min_gait, path.gait[i]);
             const double advance = double(cell_at(locomotion, gait, phase).advance) * scale_m;
             const double rate = advance > 0 ? travel(path, i) / advance : 0;
             phase += std::min(rate, max_pace / cycle_s_at(locomotion, gait)) / path.hz;
         }
-        if (i > 0 && path.stands[i] && !path.stands[i - 1]) {
+        if (moved && path.stands[i] && !path.stands[i - 1]) {
             ++number;
             idle = static_cast<uint8_t>(sample(base::Purpose::idle) * static_cast<float>(idles));
         }
         path.phase[i] = phase;
         path.idle[i] = idle;
+        if (i == path.last) number_at_end = number;
     }
     // A stand is shown with its own clip from the moment at which the walk begins to fade.
-    for (uint32_t i = path.count(); i-- > 1;)
+    for (uint32_t i = path.count(); i-- > path.first + 1;)
         if (!path.stands[i - 1] && path.gait[i - 1] < 1) path.idle[i - 1] = path.idle[i];
+    return static_cast<uint32_t>(number_at_end);
 }
 
 }  // namespace
 
-void make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path)
+uint32_t make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path)
 {
     const double scale_m = settings.scale * settings.metres_per_unit;
     set_gait(locomotion, scale_m, path);
-    set_phase(locomotion, settings, scale_m, path);
+    if (path.previous) join_gait(double(locomotion.max_gait()), path);
+    const uint32_t stands = set_phase(locomotion, settings, scale_m, path);
+    if (path.previous) join_idle(path);
+    return stands;
 }
 
 }  // namespace claque::track

@@ -16,12 +16,6 @@ constexpr double held_below_m_s = 0.25;
 constexpr double turn_in_place_rad_s = 2.1;  // two thirds of a quarter turn in half a second
 constexpr double min_turn_in_place_rad = 0.35;
 
-double nearest_turn(double angle, double to)
-{
-    const double turn = 2 * math::pi;
-    return angle - turn * std::floor((angle - to) / turn + 0.5);
-}
-
 // The directions that are known, on the fine grid; false: none is.
 bool given_headings(base::Span<const Point> points, FinePath &path, Array<uint8_t> &known)
 {
@@ -61,6 +55,16 @@ bool headings_of_motion(FinePath &path, Array<uint8_t> &known)
     return true;
 }
 
+// Where the piece before looked, as far as it is in sight; it looks on like that until more is known.
+void remember(FinePath &path, Array<uint8_t> &known)
+{
+    for (uint32_t i = 0; i <= path.first; ++i) {
+        const double time_s = std::max(path.start_s + i / path.hz, path.previous->start_s);
+        path.heading[i] = state_at(*path.previous, time_s).heading_rad;
+        known[i] = 1;
+    }
+}
+
 // Holds the last known direction, and the first one before it was known; no jumps by whole turns.
 void hold(Array<double> &heading, const Array<uint8_t> &known)
 {
@@ -83,7 +87,8 @@ void turn_in_place(FinePath &path)
         if (last + 1 < count) {
             const double next = path.heading[std::min(last + 12, count - 1)], turn = next - held;
             const uint32_t wanted = static_cast<uint32_t>(std::fabs(turn) / turn_in_place_rad_s * path.hz);
-            const uint32_t spare = last - first > min_stand ? last - first - min_stand : 0;
+            const uint32_t free = last > path.first ? last - path.first : 0;  // of what was decided before
+            const uint32_t spare = std::min(free, last - first > min_stand ? last - first - min_stand : 0);
             const uint32_t steps = std::min(wanted, spare);
             if (std::fabs(turn) > min_turn_in_place_rad)
                 for (uint32_t k = 0; k < steps; ++k) {
@@ -134,14 +139,26 @@ void make_heading(base::Span<const Point> points, const BuildSettings &settings,
     path.heading.assign(count, 0.0);
     Array<uint8_t> known(count, uint8_t(0), path.x.get_allocator().resource());
     if (!given_headings(points, path, known)) headings_of_motion(path, known);
+    if (path.previous) remember(path, known);
     hold(path.heading, known);
     for (const FinePath::Piece &piece : path.pieces)
         smooth(path.heading, piece.first, piece.last, 12, Beyond::mirrored);
     turn_in_place(path);
     limit_rate(path.heading, settings.max_turn_rad_s, path.hz);
     smooth_turns(path);
-    path.turn.assign(count, 0.0);
-    for (uint32_t i = 1; i < count; ++i) {
+    measure_turn(path);
+}
+
+double nearest_turn(double angle, double to)
+{
+    const double turn = 2 * math::pi;
+    return angle - turn * std::floor((angle - to) / turn + 0.5);
+}
+
+void measure_turn(FinePath &path)
+{
+    path.turn.assign(path.count(), 0.0);
+    for (uint32_t i = 1; i < path.count(); ++i) {
         path.turn[i] = std::fabs(path.heading[i] - path.heading[i - 1]) * path.hz;
         if (path.turn[i] > 1e-9) path.stands[i] = path.stands[i - 1] = 0;
     }

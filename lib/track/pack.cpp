@@ -19,11 +19,10 @@ uint16_t turns(double of_one) { return static_cast<uint16_t>(static_cast<int64_t
 
 void fill(const FinePath &path, uint32_t every, Track &out)
 {
-    const uint32_t count = path.count();
     out.rate_hz = path.hz / every;
     out.samples.clear();
-    out.samples.reserve(count / every + 1);
-    for (uint32_t i = 0; i < count; i += every) {
+    out.samples.reserve((path.last - path.first) / every + 1);
+    for (uint32_t i = path.first; i <= path.last; i += every) {
         Sample sample;
         sample.x = static_cast<int32_t>(std::floor(path.x[i] / place_step_m + 0.5));
         sample.z = static_cast<int32_t>(std::floor(path.z[i] / place_step_m + 0.5));
@@ -47,8 +46,8 @@ double away(double a, double b)
 // Whether the samples give the fine path back, but for the rounding of a sample itself.
 bool is_near(const FinePath &path, const Track &track)
 {
-    for (uint32_t i = 0; i < path.count(); ++i) {
-        const State state = state_at(track, track.start_s + i / path.hz);
+    for (uint32_t i = path.first; i <= path.last; ++i) {
+        const State state = state_at(track, track.start_s + (i - path.first) / path.hz);
         const glm::dvec3 p = state.position * track.metres_per_unit - track.origin_m;
         if (std::fabs(p.x - path.x[i]) > max_place_m || std::fabs(p.z - path.z[i]) > max_place_m) return false;
         if (std::fabs(p.y - path.y[i]) > max_place_m + track.height_step_m) return false;
@@ -64,11 +63,12 @@ bool is_near(const FinePath &path, const Track &track)
 
 void pack(const FinePath &path, Track &out)
 {
-    const auto heights = std::minmax_element(path.y.begin(), path.y.end());
+    const auto heights = std::minmax_element(path.y.begin() + path.first, path.y.begin() + path.last + 1);
     out.min_height_m = *heights.first;
     const double range = *heights.second - *heights.first;
     out.height_step_m = range > 0 ? range / 65535 : 0;
     for (const uint32_t every : {5u, 4u, 2u, 1u}) {
+        if ((path.last - path.first) % every != 0) continue;
         fill(path, every, out);
         if (every == 1 || is_near(path, out)) return;
     }
@@ -97,6 +97,8 @@ uint64_t hash_of(const Track &track)
     add(track.metres_per_unit), add(track.scale);
     h = base::fnv(h, track.samples.data(), track.samples.size() * sizeof(Sample));
     for (const Array<Plant> &plants : track.plants) h = base::fnv(h, plants.data(), plants.size() * sizeof(Plant));
+    if (track.previous_hash == 0) return h;
+    add(track.previous_hash), add(track.swings), add(track.stand_count);
     return h;
 }
 

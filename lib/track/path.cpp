@@ -60,16 +60,22 @@ void smooth(Array<double> &values, uint32_t first, uint32_t last, uint32_t half,
         values[first + i] = base + (sums[i + 2 * size_t(half) + 1] - sums[i]) / (2 * half + 1);
 }
 
-void make_path(base::Span<const Point> points, const BuildSettings &settings, const glm::dvec3 &origin_m,
-               FinePath &path)
+void make_grid(base::Span<const Point> points, FinePath &path)
 {
     path.start_s = points[0].time_s;
     const double length = points[points.count - 1].time_s - path.start_s;
     const uint32_t steps =
         std::max(1u, static_cast<uint32_t>(std::ceil(length * fine_hz / fine_multiple))) * fine_multiple;
-    const uint32_t count = steps + 1;
     if (length > 0) path.hz = steps / length;
-    for (Array<double> *column : {&path.x, &path.y, &path.z}) column->resize(count);
+    path.x.resize(steps + 1);
+    path.first = 0, path.last = steps;
+}
+
+void make_path(base::Span<const Point> points, const BuildSettings &settings, const glm::dvec3 &origin_m,
+               FinePath &path)
+{
+    const uint32_t count = path.count();
+    path.y.resize(count), path.z.resize(count);
     uint32_t at = 0;
     for (uint32_t i = 0; i < count; ++i) {
         const double time_s = std::min(path.start_s + i / path.hz, points[points.count - 1].time_s);

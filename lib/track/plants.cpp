@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/track/build.h"
+#include "lib/track/piece.h"
 
 namespace claque::track
 {
@@ -67,31 +67,6 @@ Array<Contact> contacts_of(const Array<uint8_t> &down)
     return contacts;
 }
 
-double mean(const Array<double> &values, const Contact &contact);
-
-// How much of what its leg can do a foot needs at a sample to be at the mean of its contact: the distance from where
-// the clips have it, the straight leg, and the turn against the body.
-double strain(const Foot &foot, const FinePath &path, const Contact &contact, uint32_t i, double max_shift_m)
-{
-    const double x = mean(foot.x, contact), z = mean(foot.z, contact);
-    const double shift = std::hypot(foot.x[i] - x, foot.z[i] - z) / max_shift_m;
-    const double leg = std::hypot(foot.hip_x[i] - x, foot.hip_z[i] - z) / foot.reach[i];
-    const double turn = std::fabs(path.heading[i] - mean(path.heading, contact)) / max_foot_turn_rad;
-    return std::max({leg, shift, turn});
-}
-
-// A foot that the body leaves too far behind is lifted earlier, or comes down later.
-void shorten(const Foot &foot, const FinePath &path, double max_shift_m, Contact &contact)
-{
-    while (contact.last - contact.first > min_plant) {
-        const double at_first = strain(foot, path, contact, contact.first, max_shift_m);
-        const double at_last = strain(foot, path, contact, contact.last, max_shift_m);
-        if (std::max(at_first, at_last) < 1) return;
-        if (at_first > at_last) ++contact.first;
-        else --contact.last;
-    }
-}
-
 double mean(const Array<double> &values, const Contact &contact)
 {
     double sum = 0;
@@ -99,29 +74,111 @@ double mean(const Array<double> &values, const Contact &contact)
     return values[contact.first] + sum / (contact.last - contact.first + 1);
 }
 
+struct Stance {
+    double x, z, heading_rad;
+};
+
+// Where a foot stands: the mean of its contact, or where the piece before has put it.
+Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact, const Plant *held)
+{
+    if (!held) return {mean(foot.x, contact), mean(foot.z, contact), mean(path.heading, contact)};
+    const double heading = path.heading[contact.first];
+    return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading)};
+}
+
+// How much of what its leg can do a foot needs at a sample to be at its place: the distance from where the clips have
+// it, the straight leg, and the turn against the body.
+double strain(const Foot &foot, const FinePath &path, const Stance &place, uint32_t i, double max_shift_m)
+{
+    const double shift = std::hypot(foot.x[i] - place.x, foot.z[i] - place.z) / max_shift_m;
+    const double leg = std::hypot(foot.hip_x[i] - place.x, foot.hip_z[i] - place.z) / foot.reach[i];
+    const double turn = std::fabs(path.heading[i] - place.heading_rad) / max_foot_turn_rad;
+    return std::max({leg, shift, turn});
+}
+
+// The first contact of a piece if the piece before has begun or planned it.
+struct Begun {
+    const Plant *plant = nullptr;  // null: there is none
+    bool ends = false;             // as it was planned, because the ground lets go of the foot at the border already
+    uint32_t fixed = 0;            // samples that it lasts at least
+};
+
+// A foot that the body leaves too far behind is lifted earlier, or comes down later.
+void shorten(const Foot &foot, const FinePath &path, double max_shift_m, const Begun &begun, Contact &contact)
+{
+    while (contact.last - contact.first > (begun.plant ? begun.fixed : min_plant)) {
+        const Stance place = stance_of(foot, path, contact, begun.plant);
+        const double at_first = begun.plant ? 0 : strain(foot, path, place, contact.first, max_shift_m);
+        const double at_last = strain(foot, path, place, contact.last, max_shift_m);
+        if (std::max(at_first, at_last) < 1) return;
+        if (at_first > at_last) ++contact.first;
+        else --contact.last;
+    }
+}
+
+// Behind the border, on which nothing changes for a moment: no new contact begins, and none ends.
+Array<Contact> contacts_after(const CarriedFoot &carried, const FinePath &path, Foot &foot, Begun &begun)
+{
+    const auto samples = [&](double seconds) { return static_cast<uint32_t>(std::max(0.0, seconds) * path.hz + 0.5); };
+    std::fill(foot.down.begin(), foot.down.begin() + path.first, uint8_t(0));
+    Array<Contact> contacts = contacts_of(foot.down);
+    uint32_t free = path.first + samples(landing_s);
+    Contact first{};
+    if (carried.planted || carried.lands_soon) {
+        begun.plant = carried.planted ? &carried.held : &carried.next;
+        begun.ends = carried.planted && double(begun.plant->end_s) <= landing_s;
+        begun.fixed = samples(begun.ends ? double(begun.plant->end_s) : landing_s);
+        first.first = path.first + samples(double(begun.plant->begin_s));
+        first.last = first.first + begun.fixed;
+        if (!begun.ends && !contacts.empty() && contacts[0].first <= first.first + min_swing)
+            first.last = std::max(first.last, contacts[0].last);
+        first.last = std::min(first.last, path.count() - 1);
+        free = first.last + min_swing + 1;
+    }
+    for (Contact &contact : contacts) contact.first = std::max(contact.first, free);
+    const auto is_short = [](const Contact &c) { return c.last < c.first + min_plant; };
+    contacts.erase(std::remove_if(contacts.begin(), contacts.end(), is_short), contacts.end());
+    if (begun.plant) contacts.insert(contacts.begin(), first);
+    return contacts;
+}
+
+Plant plant_of(const Foot &foot, const FinePath &path, const Contact &contact, const Begun &begun)
+{
+    const auto seconds = [&](uint32_t i) { return static_cast<float>((double(i) - path.first) / path.hz); };
+    const Stance place = stance_of(foot, path, contact, begun.plant);
+    Plant plant;
+    plant.begin_s = seconds(contact.first);
+    plant.end_s = seconds(contact.last);
+    plant.x = static_cast<float>(place.x), plant.z = static_cast<float>(place.z);
+    plant.heading_rad = static_cast<float>(place.heading_rad);
+    plant.begin_x = static_cast<float>(place.x - foot.x[contact.first]);
+    plant.begin_z = static_cast<float>(place.z - foot.z[contact.first]);
+    plant.end_x = static_cast<float>(place.x - foot.x[contact.last]);
+    plant.end_z = static_cast<float>(place.z - foot.z[contact.last]);
+    if (begun.plant) plant.begin_s = begun.plant->begin_s, plant.heading_rad = begun.plant->heading_rad;
+    if (begun.ends) plant.end_s = begun.plant->end_s;
+    return plant;
+}
+
 }  // namespace
 
 void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out)
 {
     for (int f = 0; f < 2; ++f) {
-        const Foot foot = feet_of(locomotion, path, out.scale, f);
-        Array<Contact> contacts = contacts_of(foot.down);
+        Foot foot = feet_of(locomotion, path, out.scale, f);
+        const CarriedFoot carried = path.previous ? carried_foot(*path.previous, f) : CarriedFoot();
+        Begun begun;
+        Array<Contact> contacts = path.previous ? contacts_after(carried, path, foot, begun) : contacts_of(foot.down);
         out.plants[f].clear();
-        out.plants[f].reserve(contacts.size());
+        out.plants[f].reserve(contacts.size() + 1);
+        if (carried.has_before) out.plants[f].push_back(carried.before);
         const double max_shift_m = 0.9 * double(locomotion.legs[f].max_shift) * out.scale;
         for (Contact &contact : contacts) {
-            shorten(foot, path, max_shift_m, contact);
-            const double x = mean(foot.x, contact), z = mean(foot.z, contact);
-            Plant plant;
-            plant.begin_s = static_cast<float>(contact.first / path.hz);
-            plant.end_s = static_cast<float>(contact.last / path.hz);
-            plant.x = static_cast<float>(x), plant.z = static_cast<float>(z);
-            plant.heading_rad = static_cast<float>(mean(path.heading, contact));
-            plant.begin_x = static_cast<float>(x - foot.x[contact.first]);
-            plant.begin_z = static_cast<float>(z - foot.z[contact.first]);
-            plant.end_x = static_cast<float>(x - foot.x[contact.last]);
-            plant.end_z = static_cast<float>(z - foot.z[contact.last]);
-            out.plants[f].push_back(plant);
+            if (!begun.ends) shorten(foot, path, max_shift_m, begun, contact);
+            out.plants[f].push_back(plant_of(foot, path, contact, begun));
+            begun = Begun();
+            // The next one behind the end of a piece is where a swing at that end leads to.
+            if (contact.first > path.last) break;
         }
     }
 }

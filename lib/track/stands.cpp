@@ -41,6 +41,8 @@ void add_stands(const FinePath &path, uint32_t first, uint32_t last, Array<FineP
     if (last >= begin + min_stand + 2 * settle) stands.push_back({begin, last});
 }
 
+bool stood(const FinePath &path) { return path.previous && path.previous->samples.back().flags & stands_flag; }
+
 Array<FinePath::Piece> slow_runs(const FinePath &path)
 {
     Array<FinePath::Piece> stands(path.x.get_allocator().resource());
@@ -48,6 +50,9 @@ Array<FinePath::Piece> slow_runs(const FinePath &path)
     uint32_t begin = 0;
     for (uint32_t i = 0; i < path.count(); ++i) {
         const double speed = speed_of(path, i, speed_half);
+        // A person that stood at the border stands on until it is fast enough to start, and long enough to be seen.
+        if (!slow && i == path.first && stood(path) && speed <= start_m_s)
+            slow = true, begin = i > min_stand + 2 * settle ? i - min_stand - 2 * settle : 0;
         if (!slow && speed < stop_m_s) slow = true, begin = i;
         if (slow && speed > start_m_s) {
             slow = false;
@@ -112,8 +117,13 @@ void find_stands(const BuildSettings &, FinePath &path)
     }
     if (from + 1 < count) path.pieces.push_back({from, count - 1});
     for (Array<double> *column : {&path.x, &path.y, &path.z}) freeze(*column, stands, path.pieces);
-    path.speed.assign(count, 0.0);
-    for (uint32_t i = 0; i < count; ++i) path.speed[i] = path.stands[i] ? 0 : speed_of(path, i, 3);
+    measure_speed(path);
+}
+
+void measure_speed(FinePath &path)
+{
+    path.speed.assign(path.count(), 0.0);
+    for (uint32_t i = 0; i < path.count(); ++i) path.speed[i] = path.stands[i] ? 0 : speed_of(path, i, 3);
 }
 
 }  // namespace claque::track

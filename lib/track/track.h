@@ -23,6 +23,7 @@ static_assert(sizeof(Sample) == 16, "a sample has 16 bytes");
 constexpr double place_step_m = 1.0 / 8192;
 constexpr double gait_unit = 127;
 constexpr double max_foot_turn_rad = 0.7;  // of a foot against its body
+constexpr double landing_s = 0.08;         // in which the ground takes hold of a foot and lets it go
 constexpr uint8_t stands_flag = 1;
 constexpr uint32_t idle_shift = 1;
 
@@ -33,6 +34,17 @@ struct Plant {
     float heading_rad = 0;  // of the body, while the foot is turned as its clip turns it
     // How far the clips' own foot is from there, when the foot comes down and when it is lifted.
     float begin_x = 0, begin_z = 0, end_x = 0, end_z = 0;
+};
+
+// The way from where the clips have a foot to where it is shown, in the air.
+struct Correction {
+    double x = 0, z = 0, turn_rad = 0;
+};
+
+// Of a piece whose border cuts the swing of a foot: what the piece before showed besides, fading until it lands.
+struct Swing {
+    float x = 0, z = 0, turn_rad = 0;
+    float until_s = 0;
 };
 
 struct Track {
@@ -53,6 +65,10 @@ struct Track {
     Array<Sample> samples;            // [length_s * rate_hz + 1]
     Array<Plant> plants[2];           // by begin_s; they do not overlap
     Array<uint32_t> first_plants[2];  // by whole second: the first plant that ends after it began
+    // Of a piece (piece.h). Plants that began before it have negative times, and one may lie behind its end.
+    uint64_t previous_hash = 0;  // 0: it continues none
+    Swing swings[2];
+    uint32_t stand_count = 0;  // times that the person stood, with the pieces before
 
     // From what it was made of.
     double mean_shift_m = 0, max_shift_m = 0;  // between the given and the shown path, at the given times
@@ -81,8 +97,13 @@ double speed_at(const Track &track, double time_s) noexcept;  // world units a s
 // Where a foot has to be, in the model space of an actor in `state`.
 pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept;
 
+// Of a foot in the air.
+Correction correction_at(const Track &track, const State &state, int foot, double time_s) noexcept;
+
 // From 0 to 1 with no slope at both ends.
 inline double eased(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
+
+inline double end_of(const Track &track) { return track.start_s + track.length_s; }
 
 // Computes first_plants, and the hash of everything above it.
 void index_plants(Track &track);

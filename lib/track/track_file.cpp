@@ -32,13 +32,16 @@ void walk(Archive &a, T &track)
             a.value(p.begin_s), a.value(p.end_s), a.value(p.x), a.value(p.z), a.value(p.heading_rad);
             a.value(p.begin_x), a.value(p.begin_z), a.value(p.end_x), a.value(p.end_z);
         });
+    a.value(track.previous_hash), a.value(track.stand_count);
+    for (auto &s : track.swings) a.value(s.x), a.value(s.z), a.value(s.turn_rad), a.value(s.until_s);
 }
 
-void check_plants(const Array<Plant> &plants)
+void check_plants(const Array<Plant> &plants, bool piece)
 {
     for (size_t i = 0; i < plants.size(); ++i) {
         const Plant &p = plants[i];
-        bool good = p.begin_s >= 0 && p.end_s >= p.begin_s && (i == 0 || p.begin_s > plants[i - 1].end_s);
+        bool good = (piece ? std::isfinite(p.begin_s) : p.begin_s >= 0) && p.end_s >= p.begin_s &&
+                    (i == 0 || p.begin_s > plants[i - 1].end_s);
         for (const float x : {p.end_s, p.x, p.z, p.heading_rad, p.begin_x, p.begin_z, p.end_x, p.end_z})
             good = good && std::isfinite(x);
         if (!good) fail(CLQ_FORMAT, "step %zu of a saved track is impossible", i);
@@ -61,7 +64,10 @@ void check(const Track &track, const Locomotion &locomotion)
         if (double(sample.gait) > double(locomotion.max_gait()) * gait_unit ||
             sample.flags >> idle_shift >= std::max(1u, locomotion.clips.idle_count))
             fail(CLQ_FORMAT, "a saved track plays a gait or clip that its locomotion lacks");
-    for (const Array<Plant> &plants : track.plants) check_plants(plants);
+    for (const Array<Plant> &plants : track.plants) check_plants(plants, track.previous_hash != 0);
+    for (const Swing &s : track.swings)
+        for (const float x : {s.x, s.z, s.turn_rad, s.until_s})
+            if (!std::isfinite(x)) fail(CLQ_FORMAT, "a step of a saved track is impossible");
 }
 
 }  // namespace

@@ -115,6 +115,7 @@ void add_plays(std::vector<Call> &all)
         return clq_actor_play_root_path(o.crowd, o.actor, &play);
     });
     change("clq_crowd_add_track", [](O o) { return clq_crowd_add_track(o.crowd, o.world->tracks[0]); });
+    change("clq_crowd_release_tracks", [](O o) { return clq_crowd_release_tracks(o.crowd, nullptr); });
     change("clq_actor_follow_track",
            [](O o) { return clq_actor_follow_track(o.crowd, o.actor, o.world->tracks[0], 1); });
     change("clq_actor_fade_to_track", [](O o) { return clq_actor_fade_to_track(o.crowd, o.actor, 1, 1); });

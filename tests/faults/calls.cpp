@@ -22,7 +22,7 @@ const std::set<std::string> allocate = {
     "clq_crowd_get_events",     "clq_crowd_add_mechanism", "clq_actor_gaze",
     "clq_actor_express",        "clq_actor_say",           "clq_crowd_add_root_path",
     "clq_actor_play_root_path", "clq_actor_follow_track",  "clq_crowd_randomise_colours",
-    "clq_group_create",         "clq_view_create"};
+    "clq_crowd_release_tracks", "clq_group_create",        "clq_view_create"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
     "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share", "clq_renderer_prepare",

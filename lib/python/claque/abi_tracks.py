@@ -25,13 +25,14 @@ class TrackPoint(Structure):
 
 class TrackDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("point_count", c_uint32), ("points", c_void_p), ("smooth_s", c_float),
-                ("metres_per_unit", c_float), ("scale", c_float), ("seed", c_uint64)]
+                ("metres_per_unit", c_float), ("scale", c_float), ("seed", c_uint64), ("previous", c_void_p),
+                ("end_s", c_double)]
 
 
 class TrackInfo(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("sample_count", c_uint32)] + [(name, c_double) for name in (
         "start_s", "end_s", "rate_hz", "distance_m", "standing_s", "mean_shift_m", "max_shift_m")] + [
-        ("plant_count", c_uint32), ("bytes", c_uint64), ("hash", c_uint64)]
+        ("plant_count", c_uint32), ("bytes", c_uint64), ("hash", c_uint64), ("previous_hash", c_uint64)]
 
 
 class TrackState(Structure):

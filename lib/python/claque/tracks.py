@@ -35,11 +35,13 @@ class Locomotion(Owned):
 
 
 class Track(Owned):
-    """The path of one actor. points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown."""
+    """The path of one actor. points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown. previous: the
+    piece that this one continues; end_s: where it ends before the last point."""
 
     _destroy = "clq_track_destroy"
 
-    def __init__(self, locomotion, times_s, points, headings=None, smooth_s=1.1, metres_per_unit=1.0, scale=1.0, seed=0):
+    def __init__(self, locomotion, times_s, points, headings=None, smooth_s=1.1, metres_per_unit=1.0, scale=1.0, seed=0,
+                 previous=None, end_s=1e300):
         times_s, points = numpy.asarray(times_s, float), numpy.asarray(points, float)
         if times_s.ndim != 1 or points.shape != (len(times_s), 3):
             raise ValueError(f"times of shape {times_s.shape} and points of shape {points.shape}: (n,) and (n, 3) are wanted")
@@ -47,7 +49,8 @@ class Track(Owned):
         own["time_s"], own["position"] = times_s, points
         own["heading_rad"] = numpy.nan if headings is None else headings
         definition = abi_tracks.TrackDef(point_count=len(own), points=own.ctypes.data, smooth_s=smooth_s,
-                                  metres_per_unit=metres_per_unit, scale=scale, seed=seed)
+                                  metres_per_unit=metres_per_unit, scale=scale, seed=seed,
+                                  previous=previous.handle if previous else None, end_s=end_s)
         super().__init__(made("clq_track_create", abi.call, locomotion.handle, byref(definition)), locomotion)
 
     @property

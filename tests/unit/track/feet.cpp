@@ -52,22 +52,17 @@ glm::dvec3 world_of(const track::Track &track, const track::State &state, const 
     return state.position * track.metres_per_unit + glm::dvec3(m.x * c + m.z * s, m.y, -m.x * s + m.z * c);
 }
 
-struct Step {
-    std::vector<glm::dvec3> points;
-    double ground;
-};
+}  // namespace
 
-Step step_at(Soles &soles, const track::Track &track, int foot, double time_s, bool held)
+SolesInWorld soles_at(Soles &soles, const track::Track &track, int foot, double time_s, bool held)
 {
     const track::State state = track::state_at(track, time_s);
-    Step step;
+    SolesInWorld step;
     step.ground = state.position.y * track.metres_per_unit;
     for (const glm::dvec3 &p : soles.at(track, time_s, held).points[foot])
         step.points.push_back(world_of(track, state, p));
     return step;
 }
-
-}  // namespace
 
 Soles::Soles(const track::Locomotion &locomotion)
     : locomotion_(&locomotion), work_(locomotion.tmpl->rig, &locomotion.tmpl->motion)
@@ -113,9 +108,9 @@ FootDrift drift_of(Soles &soles, const track::Track &track, double step_s, bool 
         for (const track::Plant &plant : track.plants[f]) {
             glm::dvec3 sum(0);
             double worst = 0;
-            Step before;
+            SolesInWorld before;
             for (double t = double(plant.begin_s); t <= double(plant.end_s); t += step_s) {
-                Step now = step_at(soles, track, f, track.start_s + t, held);
+                SolesInWorld now = soles_at(soles, track, f, track.start_s + t, held);
                 glm::dvec3 moved(0);
                 int touching = 0;
                 for (size_t i = 0; i < before.points.size(); ++i) {
@@ -138,7 +133,7 @@ double lift_of(Soles &soles, const track::Track &track, double step_s)
     for (int f = 0; f < 2; ++f)
         for (const track::Plant &plant : track.plants[f])
             for (double t = double(plant.begin_s) + 0.1; t <= double(plant.end_s) - 0.1; t += step_s) {
-                const Step now = step_at(soles, track, f, track.start_s + t, true);
+                const SolesInWorld now = soles_at(soles, track, f, track.start_s + t, true);
                 double low = 1e9;
                 for (const glm::dvec3 &p : now.points) low = std::min(low, p.y - now.ground);
                 highest = std::max(highest, std::fabs(low));

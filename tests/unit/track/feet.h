@@ -30,6 +30,13 @@ private:
     Posed posed_;
 };
 
+// The sole of a foot at a time, metres in the world.
+struct SolesInWorld {
+    std::vector<glm::dvec3> points;
+    double ground;
+};
+SolesInWorld soles_at(Soles &soles, const track::Track &track, int foot, double time_s, bool held);
+
 struct FootDrift {
     std::vector<double> each;  // metres, one for each time that a foot carried weight
     double mean() const;

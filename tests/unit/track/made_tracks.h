@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/track/build.h"
+#include "lib/track/piece.h"
 
 namespace claque::test
 {

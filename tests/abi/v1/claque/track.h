@@ -1,0 +1,221 @@
+/* clq_locomotion and clq_track: actors that walk where a file or a simulation says that people were.
+ *
+ * A locomotion is a set of clips that a template stands, walks and runs with, measured: how far each clip carries the
+ * body, and when each foot carries weight. The clips play in place. A track is the path of one actor as a function of
+ * time: position, heading, the phase and gait of its clips, and the places where its feet stand. All of it is computed
+ * once, when the track is created, so any time can be shown without the times before it, in constant time.
+ *
+ * Both are immutable and are shared by any number of actors, crowds and threads. A track holds its locomotion, and a
+ * crowd holds the tracks that its actors have followed until it is destroyed or clq_crowd_release_tracks is called.
+ *
+ * A track can be made in pieces, while it is decided where a person goes: each is a track that continues the one
+ * before (clq_track_def.previous), and never changes afterwards.
+ *
+ * Positions are in world units, y up. A heading is an angle about y in radians: at 0 the actor looks along +z, at
+ * pi / 2 along +x. Times are seconds on the track's own clock. GL: none. */
+#ifndef CLAQUE_TRACK_H
+#define CLAQUE_TRACK_H
+
+#include <claque/play.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct clq_locomotion clq_locomotion;
+typedef struct clq_track clq_track;
+
+/* The nodes of one leg. */
+typedef struct clq_leg_def {
+    uint32_t thigh, shin; /* the shin below the thigh */
+    uint32_t foot;        /* anywhere: rigs made for inverse kinematics hang their feet on the root */
+    uint32_t toes;        /* below foot, or CLQ_NONE */
+} clq_leg_def;
+
+typedef struct clq_locomotion_def {
+    uint32_t struct_bytes; /* set by clq_locomotion_def_init */
+    const clq_template *tmpl;
+    uint32_t walk;         /* one cycle of a walk in place, towards +z, the ground at y = 0 */
+    uint32_t run;          /* the same of a run, or CLQ_NONE (default): fast people walk fast */
+    uint32_t idle_count;   /* [0, 4] clips to stand with; 0: the rest pose */
+    const uint32_t *idles; /* [idle_count] each stand of a track chooses one at random */
+    /* Left and right. All CLQ_NONE (default): found by the nodes' names as common tools write them (LeftUpLeg,
+     * thigh_l, UpperLeg.R, ...). */
+    clq_leg_def legs[2];
+} clq_locomotion_def;
+
+static inline clq_locomotion_def clq_locomotion_def_init(void)
+{
+    clq_locomotion_def def;
+    int leg;
+    memset(&def, 0, sizeof def);
+    def.struct_bytes = (uint32_t)sizeof def;
+    def.walk = def.run = CLQ_NONE;
+    for (leg = 0; leg < 2; ++leg)
+        def.legs[leg].thigh = def.legs[leg].shin = def.legs[leg].foot = def.legs[leg].toes = CLQ_NONE;
+    return def;
+}
+
+/* Measures a set of clips: poses the template some 500 times.
+ *   def   copied; the locomotion holds the template
+ *   out   owned by the host until clq_locomotion_destroy
+ * Fails: STRUCT_SIZE, ARGUMENT (a clip or node that is missing, by name; a walk whose feet carry the body nowhere),
+ * OUT_OF_MEMORY. Threads: any. */
+CLQ_API clq_status clq_locomotion_create(clq_context *context, const clq_locomotion_def *def, clq_locomotion **out);
+
+/* Releases the host's hold; NULL is ignored. Tracks keep the locomotion as long as they need it. Threads: any. */
+CLQ_API void clq_locomotion_destroy(clq_locomotion *locomotion);
+
+typedef struct clq_locomotion_info {
+    uint32_t struct_bytes;         /* set by clq_locomotion_info_init */
+    float walk_stride, run_stride; /* model units that a cycle carries the body; run: 0 without one */
+    float walk_speed, run_speed;   /* model units a second, at the clips' own pace */
+    float leg_length;              /* model units */
+    clq_leg_def legs[2];           /* as given or found */
+} clq_locomotion_info;
+
+CLQ_DEFINE_ZERO_INIT(clq_locomotion_info)
+
+/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+CLQ_API clq_status clq_locomotion_get_info(const clq_locomotion *locomotion, clq_locomotion_info *out);
+
+/* Where a person was at a time. */
+typedef struct clq_track_point {
+    double time_s;
+    double position[3];
+    float heading_rad; /* NaN: unknown; the heading then follows the path */
+} clq_track_point;
+
+typedef struct clq_track_def {
+    uint32_t struct_bytes; /* set by clq_track_def_init */
+    uint32_t point_count;  /* 1 or more */
+    const clq_track_point
+        *points; /* [point_count] times ascend, by any steps; every point within 250 km of the first */
+    /* [0, 60] positions are averaged over this time, about one stride, because measured heads sway from side to side.
+     * The first and the last point stay. 0: not at all. Default 1.1 */
+    float smooth_s;
+    float metres_per_unit; /* (> 0) as in clq_crowd_def. Default 1 */
+    float scale;           /* (> 0) of the actors that will follow the track, as in clq_transform. Default 1 */
+    uint64_t seed;         /* chooses idle clips and the foot that starts; all pieces of a person have the same */
+    /* The piece before: this track begins where that one ends, with its place, heading, phase, gait, idle clip and
+     * feet. Of the same locomotion, metres_per_unit and scale. The points begin before that end, 1.5 s or more for a
+     * path like that of a whole track, and need not be those that the piece before was made of. Not held.
+     * NULL (default): none */
+    const clq_track *previous;
+    /* Where this piece ends, seconds, 0.1 s or more after its begin. The points behind it say how the person goes on:
+     * give 1 s or more, so that feet come down where the next piece has them and stands begin in time. Points up to 2 s
+     * before and behind the piece are used. From the time of the last point on (default 1e300): at the last point,
+     * which is then the last place of the person */
+    double end_s;
+} clq_track_def;
+
+static inline clq_track_def clq_track_def_init(void)
+{
+    clq_track_def def;
+    memset(&def, 0, sizeof def);
+    def.struct_bytes = (uint32_t)sizeof def;
+    def.smooth_s = 1.1f;
+    def.metres_per_unit = 1.0f;
+    def.scale = 1.0f;
+    def.end_s = 1e300;
+    return def;
+}
+
+/* Creates a track. A person stands from a speed below 0.10 m/s to one above 0.25 m/s, for 0.6 s or more: position and
+ * heading are then frozen and an idle clip plays; steps in between carry the person along if it drifts by 0.25 m. Slow
+ * people take short steps; from 1.35 times the walk's own speed on the run is blended in. The heading is that of the
+ * points or follows the path; it is held below 0.25 m/s and turns by at most half a turn a second. While a foot carries
+ * weight, a two-bone mechanism of the leg holds it where it stands.
+ *   def   copied
+ *   out   owned by the host until clq_track_destroy
+ * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point), LIMIT (10^6 s), OUT_OF_MEMORY. Threads: any. */
+CLQ_API clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_def *def, clq_track **out);
+
+/* Releases the host's hold; NULL is ignored. Threads: any. */
+CLQ_API void clq_track_destroy(clq_track *track);
+
+typedef struct clq_track_info {
+    uint32_t struct_bytes; /* set by clq_track_info_init */
+    uint32_t sample_count; /* of 16 bytes, on a uniform grid */
+    double start_s, end_s;
+    double rate_hz;    /* of the grid: 10 to 50 */
+    double distance_m; /* travelled */
+    double standing_s;
+    double mean_shift_m, max_shift_m; /* between the given points and the path shown, at the times of the points */
+    uint32_t plant_count;             /* times that a foot stands */
+    uint64_t bytes;                   /* held */
+    uint64_t hash;                    /* of the track's contents: equal tracks have equal hashes on every machine */
+    uint64_t previous_hash;           /* of the piece that this one continues; 0: of none */
+} clq_track_info;
+
+CLQ_DEFINE_ZERO_INIT(clq_track_info)
+
+/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+CLQ_API clq_status clq_track_get_info(const clq_track *track, clq_track_info *out);
+
+/* A track at one time. */
+typedef struct clq_track_state {
+    bool present; /* the time is between start_s and end_s; before and after, the rest is that of the nearer end */
+    bool stands;  /* position and heading are frozen */
+    double position[3]; /* of the Reference Point, world units */
+    double heading_rad;
+    double phase; /* [0, 1) of the walk's cycle, and the run's */
+    float gait;   /* 0 stands, 1 walks, 2 runs; clips are blended in between */
+    float speed_m_s;
+} clq_track_state;
+
+/* Evaluates a track, in constant time. Fails: ARGUMENT (NULL, a time that is not finite). Threads: any. */
+CLQ_API clq_status clq_track_evaluate(const clq_track *track, double time_s, clq_track_state *out);
+
+/* Writes a track, so that it need not be created again. Equal tracks give equal bytes on every machine.
+ * Fails: ARGUMENT (NULL), IO, CALLBACK, OUT_OF_MEMORY. Threads: any. */
+CLQ_API clq_status clq_track_save(const clq_track *track, clq_write_function write, void *user);
+
+/* Loads a track that clq_track_save wrote. The bytes may be anything.
+ *   locomotion   measured from the same clips as that of the saved track
+ *   bytes        [size_bytes], not kept
+ * Fails: ARGUMENT (another locomotion), FORMAT (cut off, changed, of another version), OUT_OF_MEMORY. Threads: any. */
+CLQ_API clq_status clq_track_load(const clq_locomotion *locomotion, const void *bytes, size_t size_bytes,
+                                  clq_track **out);
+
+enum { CLQ_TRACK_PIECES = 4 };
+
+/* Lets an actor follow a track. It appears and disappears with the track; in between the track places its Reference
+ * Point and plays its clips. Of its transform only the scale counts. Fades and layers end, layers may be added. A
+ * member of a group cannot follow a track, and an actor that follows one cannot join a group.
+ *
+ * A piece that continues the track that the actor follows, with the same start_s, is added to it: the actor plays on,
+ * fades and layers too, and each time is shown by its piece. Up to CLQ_TRACK_PIECES pieces are kept, the newest; times
+ * before them are before the track.
+ *   start_s   the time on the clock of clq_crowd_update at which the track's own clock is at 0
+ * Fails: STALE_ID, ARGUMENT (a track of another template; a member of a group), OUT_OF_MEMORY, BUSY.
+ * Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_follow_track(clq_crowd *crowd, clq_actor actor, clq_track *track, double start_s);
+
+/* Fades from what an actor plays back to the gait of the track that it follows. clq_actor_play and clq_actor_fade_to
+ * lead from there to clips: the track then still moves the actor. The gait itself has no events (claque/play.h).
+ *   length_s   [>= 0]
+ * Fails: STALE_ID, ARGUMENT (an actor that follows no track), LIMIT, OUT_OF_MEMORY, BUSY.
+ * Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_fade_to_track(clq_crowd *crowd, clq_actor actor, double at_s, float length_s);
+
+/* Lets an actor go: it stays where its track has it at at_s, at every time. If it plays the track's gait, it stands.
+ * Fails: STALE_ID, ARGUMENT (an actor that follows no track), OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, double at_s);
+
+/* Makes a track known to a crowd, so that clq_crowd_restore finds it: a saved crowd names tracks by their hashes.
+ * Tracks that actors of this crowd have followed are known already.
+ * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_crowd_add_track(clq_crowd *crowd, clq_track *track);
+
+/* Lets go of every track that no actor of the crowd follows now, so that a long run of pieces needs no more memory than
+ * the pieces that are shown.
+ *   released   how many; may be NULL
+ * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
+CLQ_API clq_status clq_crowd_release_tracks(clq_crowd *crowd, uint32_t *released);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
