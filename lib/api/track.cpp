@@ -125,7 +125,7 @@ clq_status clq_track_evaluate(const clq_track *track, double time_s, clq_track_s
         found.heading_rad = state.heading_rad;
         found.phase = gait_phase(state.phase);
         found.gait = state.gait;
-        found.speed_m_s = static_cast<float>(track::speed_at(*track, time_s) * track->metres_per_unit);
+        found.speed_m_s = static_cast<float>(track::motion_at(*track, time_s).speed * track->metres_per_unit);
         *out = found;
     });
 }

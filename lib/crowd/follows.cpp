@@ -71,29 +71,23 @@ uint64_t Follows::bytes() const
            slots_.bytes() + of_.capacity() * sizeof(uint32_t);
 }
 
-namespace
+Transform placed_on_track(const track::Motion &motion, float scale) noexcept
 {
-
-// The actor as its track has it at a time; its scale is its own.
-Transform placed_on(const track::Track &track, double time_s, float scale)
-{
-    const track::State state = track::state_at(track, time_s);
     Transform out;
-    out.position = state.position;
-    const float half = static_cast<float>(state.heading_rad * 0.5);
+    out.position = motion.position;
+    const float half = static_cast<float>(motion.heading_rad * 0.5);
     out.orientation = glm::quat(std::cos(half), 0, std::sin(half), 0);
     out.scale = scale;
     return out;
 }
-
-}  // namespace
 
 Transform reference_of(const Crowd &crowd, uint32_t row, double time_s)
 {
     const Follow *follow = crowd.follows().of(row);
     if (!follow) return crowd.world_transform_of(row);
     const double track_time_s = track_time(*follow, time_s);
-    return placed_on(piece_at(*follow, track_time_s), track_time_s, crowd.transform_of(row).scale);
+    const track::Motion motion = track::motion_at(piece_at(*follow, track_time_s), track_time_s);
+    return placed_on_track(motion, crowd.transform_of(row).scale);
 }
 
 glm::dvec3 reference_position_of(const Crowd &crowd, uint32_t row, double time_s)

@@ -6,6 +6,7 @@
 
 #include "lib/base/slot_map.h"
 #include "lib/crowd/layers.h"
+#include "lib/crowd/transform.h"
 #include "lib/track/track.h"
 
 namespace claque::crowd
@@ -53,6 +54,9 @@ private:
     base::SlotMap<Follow> slots_;
     Array<uint32_t> of_;  // by row, of slots_
 };
+
+// An actor where its track has it; its scale is its own.
+Transform placed_on_track(const track::Motion &motion, float scale) noexcept;
 
 // The piece that shows a time of the track.
 inline const track::Track &piece_at(const Follow &follow, double track_time_s) noexcept

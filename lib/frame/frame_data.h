@@ -62,6 +62,7 @@ struct GroupRow {
 // One row that passed phase 1 in a view.
 struct Candidate {
     uint32_t row = 0;
+    uint32_t tested = 0;             // index of the row among those that were tested
     float effective_distance_m = 0;  // S0 5: the smallest over the views that see it
     uint64_t levels = 0;             // of its control mechanisms
     crowd::Transform root;           // its Skeleton Root in the world, valid after PlaceRoots

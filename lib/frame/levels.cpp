@@ -32,12 +32,9 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
 }
 
 // World units a second.
-double ChooseLevels::speed_of(uint32_t crowd_row) const
+double ChooseLevels::speed_of(const Candidate &candidate) const
 {
-    const crowd::Follow *follow = given.crowd.follows().of(crowd_row);
-    if (!follow) return 0;
-    const double track_time_s = crowd::track_time(*follow, given.time_s);
-    return track::speed_at(crowd::piece_at(*follow, track_time_s), track_time_s);
+    return given.crowd.follows().of(candidate.row) ? motions[candidate.tested].speed : 0;
 }
 
 void ChooseLevels::evaluate_candidate(uint32_t i) const
@@ -81,11 +78,11 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     const animcache::Settings &caches = given.settings.caches;
     const bool each_frame =
         behave::has_memory(crowd, row) || caches.key_poses.mode_at(nearest) == animcache::KeyPoseMode::skinned;
-    const uint32_t rate_step =
-        each_frame
-            ? 0
-            : std::min(animcache::rate_step_of(caches.period, nearest),
-                       animcache::rate_step_of_motion(speed_of(row), nearest, given.settings.motion_tolerance_px));
+    const uint32_t rate_step = each_frame
+                                   ? 0
+                                   : std::min(animcache::rate_step_of(caches.period, nearest),
+                                              animcache::rate_step_of_motion(speed_of(candidate), nearest,
+                                                                             given.settings.motion_tolerance_px));
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     const double before_s = out.visibility.shown_s;
     out.visibility.period_s = static_cast<float>(animcache::period_s(rate_step));
@@ -103,7 +100,7 @@ base::Status ChooseLevels::check() const
 {
     if (visibilities.candidates != candidates.count || rows.count < given.crowd.row_count())
         return base::Status::bad(CLQ_ARGUMENT, "no visibility of every candidate, or no room for every row");
-    return base::Status::good();
+    return check_motions(given, {candidates.data, candidates.count}, motions);
 }
 
 void ChooseLevels::run() const

@@ -30,10 +30,22 @@ private:
     bool is_visible(const CameraState &eye, const Block &block) const;
 };
 
+// Evaluates the tracks of the tested rows.
+struct FollowTracks {
+    const Given &given;
+    base::Span<const uint32_t> tested;
+
+    base::Span<track::Motion> motions;  // [tested]; not needed if no actor follows a track
+
+    base::Status check() const;
+    void run() const;
+};
+
 // Phase 1: tests Refpoint Bspheres. Traditional mode rejects no actor before phase 3.
 struct CullRefpoints {
     const Given &given;
     base::Span<const uint32_t> tested;
+    base::Span<const track::Motion> motions;  // [tested]
 
     base::Span<uint8_t> passed;        // scratch [view][tested]: math::Containment
     base::Span<Candidate> candidates;  // [tested]
@@ -41,11 +53,18 @@ struct CullRefpoints {
 
     base::Status check() const;
     uint32_t run() const;  // returns how many candidates were written
+
+private:
+    glm::dvec3 position_of(uint32_t i) const;
 };
+
+base::Status check_motions(const Given &given, base::Span<const Candidate> candidates,
+                           base::Span<const track::Motion> motions);
 
 // Places the Skeleton Roots of the candidates: Reference Point, root path, ground.
 struct PlaceRoots {
     const Given &given;
+    base::Span<const track::Motion> motions;  // by Candidate::tested
 
     base::Span<Candidate> candidates;
     Stats &stats;
@@ -70,7 +89,8 @@ struct CullRoots {
 struct ChooseLevels {
     const Given &given;
     Visibilities visibilities;
-    uint64_t live_since;  // ticks shown up to this update may be followed by earlier ones
+    base::Span<const track::Motion> motions;  // by Candidate::tested
+    uint64_t live_since;                      // ticks shown up to this update may be followed by earlier ones
 
     base::Span<Candidate> candidates;
     base::Span<Row> rows;  // by row of the crowd
@@ -81,7 +101,7 @@ struct ChooseLevels {
 private:
     void evaluate_candidate(uint32_t i) const;
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
-    double speed_of(uint32_t crowd_row) const;
+    double speed_of(const Candidate &candidate) const;
 };
 
 // Chooses what each visible candidate shows: one clip, layers, or key-poses.

@@ -95,6 +95,7 @@ private:
     base::Span<Candidate> candidates() const { return {work_.candidates.data(), candidate_count_}; }
     base::Span<const Candidate> placed() const { return {work_.candidates.data(), candidate_count_}; }
     Visibilities visibilities() const { return {base::Span<ViewVisibility>(work_.visibilities), candidate_count_}; }
+    base::Span<const track::Motion> motions() const { return base::Span<const track::Motion>(work_.motions); }
     base::Span<const Row> found() const { return {work_.rows.data(), static_cast<uint32_t>(work_.rows.size())}; }
 
     const Given &given_;
@@ -114,10 +115,11 @@ void UpdateRun::cull()
                            base::Span<GroupRow>(work_.groups), base::Span<uint32_t>(work_.tested), work_.stats})
             .run();
     const base::Span<const uint32_t> tested(work_.tested.data(), tested_count);
-    candidate_count_ = checked(CullRefpoints{given_, tested, base::Span<uint8_t>(work_.passed),
+    checked(FollowTracks{given_, tested, base::Span<track::Motion>(work_.motions)}).run();
+    candidate_count_ = checked(CullRefpoints{given_, tested, motions(), base::Span<uint8_t>(work_.passed),
                                              base::Span<Candidate>(work_.candidates), work_.stats})
                            .run();
-    checked(PlaceRoots{given_, candidates(), work_.stats}).run();
+    checked(PlaceRoots{given_, motions(), candidates(), work_.stats}).run();
     checked(CullRoots{given_, placed(), visibilities(), work_.stats}).run();
 }
 
@@ -128,9 +130,8 @@ void UpdateRun::choose()
     if (elapsed_s_ < 0) work_.live_since = given_.update - 1;
     cull();
     if (!given_.host_calls.ok()) return;
-    checked(ChooseLevels{given_, visibilities(), work_.live_since, candidates(), rows}).run();
-    checked(MakeRequests{given_, placed(), found(), caches, work_.layers, caches.pending(), work_.stats})
-        .run();
+    checked(ChooseLevels{given_, visibilities(), motions(), work_.live_since, candidates(), rows}).run();
+    checked(MakeRequests{given_, placed(), found(), caches, work_.layers, caches.pending(), work_.stats}).run();
 
     // S1 4: poses that already show their tick are not evaluated again.
     caches.allocate_poses();

@@ -59,6 +59,7 @@ Work::Work(std::pmr::memory_resource *memory, const Settings &wanted)
       eyes(memory),
       block_seen(memory),
       tested(memory),
+      motions(memory),
       passed(memory),
       candidates(memory),
       visibilities(memory),
@@ -82,6 +83,7 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     grow(passed, size_t(views.count) * count);
     grow(visibilities, size_t(views.count) * count);
     grow(tested, count);
+    if (crowd.follows().count() > 0) grow(motions, count);
     if (may_throw(crowd)) grow(last.candidates, count);
     else grow(candidates, count);
     grow(visible, count);
@@ -141,9 +143,9 @@ void Work::undo()
 
 uint64_t Work::bytes() const
 {
-    return base::held_bytes(rows, groups, eyes, block_seen, tested, passed, candidates, visibilities, visible, layers,
-                            dofs, behaving, listed, ordered, last.rows, last.groups, last.candidates, last.layers,
-                            last.dofs) +
+    return base::held_bytes(rows, groups, eyes, block_seen, tested, motions, passed, candidates, visibilities, visible,
+                            layers, dofs, behaving, listed, ordered, last.rows, last.groups, last.candidates,
+                            last.layers, last.dofs) +
            blocks.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
 }
 

@@ -36,10 +36,11 @@ struct Work {
     Blocks blocks;
 
     // Of one update. Arrays have the maximum size; steps return how much of them they filled.
-    std::pmr::vector<CameraState> eyes;    // one per view
-    std::pmr::vector<uint8_t> block_seen;  // [view][block]
-    std::pmr::vector<uint32_t> tested;     // rows that are not culled with their group in every view
-    std::pmr::vector<uint8_t> passed;      // [view][tested]
+    std::pmr::vector<CameraState> eyes;       // one per view
+    std::pmr::vector<uint8_t> block_seen;     // [view][block]
+    std::pmr::vector<uint32_t> tested;        // rows that are not culled with their group in every view
+    std::pmr::vector<track::Motion> motions;  // [tested]; empty if no actor follows a track
+    std::pmr::vector<uint8_t> passed;         // [view][tested]
     std::pmr::vector<Candidate> candidates;
     std::pmr::vector<ViewVisibility> visibilities;  // [view][candidate]
     std::pmr::vector<uint32_t> visible;             // candidates drawn in some view

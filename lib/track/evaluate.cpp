@@ -135,15 +135,20 @@ glm::dvec3 position_at(const Track &track, double time_s) noexcept
     return world_of(track, point_at(track, place_of(track, time_s)));
 }
 
-double speed_at(const Track &track, double time_s) noexcept
+Motion motion_at(const Track &track, double time_s) noexcept
 {
     const Place place = place_of(track, time_s);
     const Sample &from = track.samples[place.first], &to = track.samples[place.first + 1];
-    if (!is_present(track, time_s) || (stands(from) && stands(to))) return 0;
+    Motion motion;
+    motion.present = is_present(track, time_s);
+    motion.position = world_of(track, point_at(track, place));
+    motion.heading_rad = turn_rad * angle_at(from.heading, to.heading, place.part);
+    if (!motion.present || (stands(from) && stands(to))) return motion;
     const Metres a = point_of(track, from), b = point_of(track, to);
     const Metres m = slope_at(track, place.first), n = slope_at(track, place.first + 1);
     const double x = cubic_slope(a.x, b.x, m.x, n.x, place.part), z = cubic_slope(a.z, b.z, m.z, n.z, place.part);
-    return std::sqrt(x * x + z * z) * track.rate_hz / track.metres_per_unit;
+    motion.speed = std::sqrt(x * x + z * z) * track.rate_hz / track.metres_per_unit;
+    return motion;
 }
 
 State state_at(const Track &track, double time_s) noexcept

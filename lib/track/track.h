@@ -88,11 +88,19 @@ struct State {
     uint32_t idle = 0;
 };
 
+// Where a track has its actor at a time, and how fast.
+struct Motion {
+    glm::dvec3 position = glm::dvec3(0);  // world units
+    double heading_rad = 0;
+    double speed = 0;  // world units a second
+    bool present = false;
+};
+
 // `time_s` is the track's own; times before its start and after its end give the first and last place.
 bool is_present(const Track &track, double time_s) noexcept;
 State state_at(const Track &track, double time_s) noexcept;
 glm::dvec3 position_at(const Track &track, double time_s) noexcept;
-double speed_at(const Track &track, double time_s) noexcept;  // world units a second
+Motion motion_at(const Track &track, double time_s) noexcept;
 
 // Where a foot has to be, in the model space of an actor in `state`.
 pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept;

@@ -90,7 +90,8 @@ TEST_F(StepsTest, CullRefpointsNeedsRoomForAllThatAreTested)
 {
     const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
     const auto step = [&](size_t passed, size_t candidates) {
-        return CullRefpoints{given_, tested, cut(work_.passed, passed), cut(work_.candidates, candidates), work_.stats};
+        return CullRefpoints{given_,     tested, {}, cut(work_.passed, passed), cut(work_.candidates, candidates),
+                             work_.stats};
     };
     fits(step(rows_, rows_));
     is_refused(step(rows_ - 1, rows_), "no room for all that are tested");
@@ -99,9 +100,9 @@ TEST_F(StepsTest, CullRefpointsNeedsRoomForAllThatAreTested)
 
 TEST_F(StepsTest, PlaceRootsNeedsRowsThatExist)
 {
-    fits(PlaceRoots{given_, candidates(), work_.stats});
+    fits(PlaceRoots{given_, {}, candidates(), work_.stats});
     work_.candidates[3].row = rows_;
-    is_refused(PlaceRoots{given_, candidates(), work_.stats}, "a candidate in row 80 of 80");
+    is_refused(PlaceRoots{given_, {}, candidates(), work_.stats}, "a candidate in row 80 of 80");
 }
 
 TEST_F(StepsTest, CullRootsNeedsRoomForEveryCandidateInEveryView)
@@ -115,9 +116,9 @@ TEST_F(StepsTest, CullRootsNeedsRoomForEveryCandidateInEveryView)
 TEST_F(StepsTest, ChooseLevelsNeedsVisibilitiesOfEveryCandidateAndRoomForEveryRow)
 {
     const char *const text = "no visibility of every candidate, or no room for every row";
-    fits(ChooseLevels{given_, visibilities(), 0, candidates(), rows()});
-    is_refused(ChooseLevels{given_, visibilities(1), 0, candidates(), rows()}, text);
-    is_refused(ChooseLevels{given_, visibilities(), 0, candidates(), rows(1)}, text);
+    fits(ChooseLevels{given_, visibilities(), {}, 0, candidates(), rows()});
+    is_refused(ChooseLevels{given_, visibilities(1), {}, 0, candidates(), rows()}, text);
+    is_refused(ChooseLevels{given_, visibilities(), {}, 0, candidates(), rows(1)}, text);
 }
 
 TEST_F(StepsTest, MakeRequestsNeedsRoomForARequestOfEveryCandidate)
@@ -125,8 +126,7 @@ TEST_F(StepsTest, MakeRequestsNeedsRoomForARequestOfEveryCandidate)
     const char *const text = "no room for a request of every candidate, or not a result for every row";
     std::pmr::vector<animcache::Request> requests;
     const auto step = [&](uint32_t missing) {
-        return MakeRequests{given_,       placed(), found(missing), work_.caches.key_poses(),
-                            work_.layers, requests, work_.stats};
+        return MakeRequests{given_, placed(), found(missing), work_.caches, work_.layers, requests, work_.stats};
     };
     is_refused(step(0), text);
     requests.reserve(rows_);
