@@ -108,6 +108,7 @@ void build(const Locomotion &locomotion, base::Span<const Point> points, const B
     make_plants(locomotion, path, out);
     index_plants(out);
     if (previous) join_swings(*previous, out);
+    out.top_speed = top_speed_of(out);
     out.hash = hash_of(out);
     report(points, end_s, path, out);
 }

@@ -151,6 +151,24 @@ Motion motion_at(const Track &track, double time_s) noexcept
     return motion;
 }
 
+// The speed on a cubic curve is a quadratic one, which its three Bezier points bound.
+double top_speed_of(const Track &track)
+{
+    double most = 0;
+    const auto add = [&most](double x, double y, double z) { most = std::fmax(most, x * x + y * y + z * z); };
+    for (uint32_t i = 0; i + 1 < track.samples.size(); ++i) {
+        const Metres a = point_of(track, track.samples[i]), b = point_of(track, track.samples[i + 1]);
+        if (stands(track.samples[i]) && stands(track.samples[i + 1])) {
+            if (a.x != b.x || a.y != b.y || a.z != b.z) return HUGE_VAL;  // only files can hold such a jump
+            continue;
+        }
+        const Metres m = slope_at(track, i), n = slope_at(track, i + 1);
+        add(m.x, m.y, m.z), add(n.x, n.y, n.z);
+        add(3 * (b.x - a.x) - m.x - n.x, 3 * (b.y - a.y) - m.y - n.y, 3 * (b.z - a.z) - m.z - n.z);
+    }
+    return std::sqrt(most) * track.rate_hz / track.metres_per_unit * (1 + 1e-9);
+}
+
 State state_at(const Track &track, double time_s) noexcept
 {
     const Place place = place_of(track, time_s);

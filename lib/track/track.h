@@ -62,6 +62,7 @@ struct Track {
     double min_height_m = 0, height_step_m = 0;
     double metres_per_unit = 1;       // of the world
     double scale = 1;                 // metres per model unit
+    double top_speed = 0;             // an upper bound, in world units a second
     Array<Sample> samples;            // [length_s * rate_hz + 1]
     Array<Plant> plants[2];           // by begin_s; they do not overlap
     Array<uint32_t> first_plants[2];  // by whole second: the first plant that ends after it began
@@ -112,6 +113,9 @@ Correction correction_at(const Track &track, const State &state, int foot, doubl
 inline double eased(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
 
 inline double end_of(const Track &track) { return track.start_s + track.length_s; }
+
+// Upper bound of the speed in all three dimensions at any time; infinite for a path that jumps.
+double top_speed_of(const Track &track);
 
 // Computes first_plants, and the hash of everything above it.
 void index_plants(Track &track);

@@ -107,6 +107,7 @@ void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track
     in.end();
     check(out, locomotion);
     index_plants(out);
+    out.top_speed = top_speed_of(out);
     out.hash = hash_of(out);
 }
 

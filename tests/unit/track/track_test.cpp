@@ -67,6 +67,22 @@ TEST(Track, KeepsMillimetresAMillionMetresFromTheOriginAndUpstairs)
     for (const track::Point &point : points) ASSERT_LT(away(*track, point), 0.001);
 }
 
+TEST(Track, IsNeverFasterThanItsTopSpeedAndNearlyReachesIt)
+{
+    for (const double unit : {1.0, 0.5}) {
+        track::BuildSettings settings;
+        settings.metres_per_unit = unit;
+        const auto track = test::track_of(test::points_of(10, 40, winding), "citizen", settings);
+        double most = 0;
+        for (double t = -1; t < 41; t += 0.001) {
+            const glm::dvec3 d = track::position_at(*track, t + 0.001) - track::position_at(*track, t);
+            most = std::fmax(most, std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z) / 0.001);
+        }
+        EXPECT_LE(most, track->top_speed * (1 + 1e-6)) << unit;
+        EXPECT_GT(most, 0.8 * track->top_speed) << unit;
+    }
+}
+
 TEST(Track, IsTheSameInOtherUnits)
 {
     std::vector<track::Point> points = test::points_of(10, 20, winding), in_feet = points;
