@@ -17,10 +17,12 @@ using model::none;
 namespace
 {
 
-void reserve_actor(Tables &tables)
+void reserve_actor(Crowd &crowd)
 {
+    Tables &tables = crowd.tables;
     if (!tables.actors.all.has_room()) fail(CLQ_LIMIT, "a crowd holds at most %u actors", tables.actors.all.max_size());
     reserve_row(tables);
+    for (Changes *reader : crowd.readers) reader->rows.reserve(crowd.row_capacity());
 }
 
 // Makes room for a copy of an actor in all tables.
@@ -66,7 +68,7 @@ Id create(Crowd &crowd, const model::Template &tmpl, const Transform &transform,
     const auto known = std::find(tables.templates.begin(), tables.templates.end(), &tmpl);
     const uint32_t index = static_cast<uint32_t>(known - tables.templates.begin());
     const bool is_new = known == tables.templates.end();
-    reserve_actor(tables);
+    reserve_actor(crowd);
     if (is_new) {
         base::reserve_more(tables.templates);
         base::reserve_more(tables.colours);
@@ -91,7 +93,7 @@ Id clone(Crowd &crowd, Id id, const Transform *transform, uint64_t seed)
     const uint32_t from = crowd.row_of(id);
     const Transform placed = checked(transform ? *transform : crowd.transform_of(from));
     Tables &tables = crowd.tables;
-    reserve_actor(tables);
+    reserve_actor(crowd);
     reserve_copy(tables, from);
 
     // Commit: nothing below can fail.
@@ -113,6 +115,7 @@ void destroy(Crowd &crowd, Id id)
     const uint32_t row = crowd.row_of(id);
     leave_group(crowd, row);
     free_row(crowd.tables, row);
+    note(crowd, row);
     ++crowd.structure;
 }
 
@@ -126,6 +129,7 @@ void set_transforms(Crowd &crowd, const Id *ids, const Transform *transforms, ui
         const uint32_t row = ids[i].index1 - 1;
         crowd.tables.actors.transforms[row] = transforms[i];
         touch_group(crowd, row);
+        note(crowd, row);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "lib/base/hash.h"
 #include "lib/crowd/colour_sample.h"
 #include "lib/crowd/edits.h"
+#include "lib/crowd/rows.h"
 #include "lib/math/hsb.h"
 
 namespace claque::crowd
@@ -76,6 +77,7 @@ void set_texture_set(Crowd &crowd, Id id, uint32_t set)
     if (set >= count)
         fail(CLQ_ARGUMENT, "texture set %u does not exist: template '%s' has %u", set, tmpl.name.c_str(), count);
     actor.texture_set = set;
+    note(crowd, row);
 }
 
 }  // namespace claque::crowd

@@ -4,13 +4,14 @@
 #pragma once
 
 #include "lib/base/span.h"
+#include "lib/crowd/changes.h"
 #include "lib/crowd/tables.h"
 
 namespace claque::crowd
 {
 
 struct Crowd {
-    explicit Crowd(std::pmr::memory_resource *memory, uint64_t seed = 0) : tables(memory, seed) {}
+    explicit Crowd(std::pmr::memory_resource *memory, uint64_t seed = 0) : tables(memory, seed), readers(memory) {}
     Crowd(const Crowd &) = delete;
     Crowd &operator=(const Crowd &) = delete;
 
@@ -86,6 +87,7 @@ struct Crowd {
     uint64_t structure = 1;
     double (*ground_height)(void *user, const double point[3]) = nullptr;  // the host's; null: none
     void *ground_data = nullptr;
+    Array<Changes *> readers;  // of what changes; each unregisters before it ends
 };
 
 // The Reference Point in the world at a time: where the host, the group or the track puts it. And its position alone.

@@ -70,6 +70,7 @@ void measure(Crowd &crowd, uint32_t row) noexcept
                            : 0.0;
     extent.refpoint = up(length(tmpl.sklsroot.centre) + static_cast<double>(extent.sklsroot) + way);
     touch_group(crowd, row);
+    note(crowd, row);
 }
 
 }  // namespace claque::crowd

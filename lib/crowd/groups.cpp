@@ -41,6 +41,7 @@ void enter_group(Crowd &crowd, uint32_t row, uint32_t group) noexcept
     crowd.tables.groups.of[row] = group;
     ++crowd.tables.groups.all[group].members;
     touch_group(crowd, row);
+    note(crowd, row);
     ++crowd.structure;
 }
 
@@ -49,6 +50,7 @@ void leave_group(Crowd &crowd, uint32_t row) noexcept
     uint32_t &group = crowd.tables.groups.of[row];
     if (group == none) return;
     touch_group(crowd, row);
+    note(crowd, row);
     --crowd.tables.groups.all[group].members;
     group = none;
     ++crowd.structure;
@@ -60,6 +62,7 @@ Id create_group(Crowd &crowd, const Transform &transform)
     base::SlotMap<GroupRow> &groups = crowd.tables.groups.all;
     if (!groups.has_room()) fail(CLQ_LIMIT, "a crowd holds at most %u groups", groups.max_size());
     groups.reserve();
+    for (Changes *reader : crowd.readers) reader->groups.reserve(groups.capacity());
     const uint32_t row = groups.take();
     groups[row] = GroupRow{placed, 0, true, crowd.next_version++};
     ++crowd.structure;
@@ -82,7 +85,9 @@ void destroy_group(Crowd &crowd, Id id)
 void set_group_transform(Crowd &crowd, Id id, const Transform &transform)
 {
     const Transform placed = checked_group_transform(transform);
-    crowd.tables.groups.all[crowd.group_row_of(id)].transform = placed;
+    const uint32_t row = crowd.group_row_of(id);
+    crowd.tables.groups.all[row].transform = placed;
+    note_group(crowd, row);
 }
 
 void enable_group(Crowd &crowd, Id id, bool enabled)
@@ -102,6 +107,7 @@ void join(Crowd &crowd, Id id, Id group_id, const Transform *transform)
                                                : relative(crowd.group(group).transform, world));
     leave_group(crowd, row);
     crowd.tables.actors.transforms[row] = placed;
+    note(crowd, row);
     if (!leaves) enter_group(crowd, row, group);
 }
 

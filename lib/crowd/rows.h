@@ -17,6 +17,16 @@ inline void touch_group(Crowd &crowd, uint32_t row) noexcept
     if (group != model::none) crowd.tables.groups.all[group].version = crowd.next_version++;
 }
 
+inline void note(Crowd &crowd, uint32_t row) noexcept  // that the actor was made, moved or changed, or has gone
+{
+    for (Changes *reader : crowd.readers) reader->mark(reader->rows, row);
+}
+
+inline void note_group(Crowd &crowd, uint32_t group) noexcept  // that it has moved
+{
+    for (Changes *reader : crowd.readers) reader->mark(reader->groups, group);
+}
+
 void measure(Crowd &crowd, uint32_t row) noexcept;  // its extent, and that of its group
 void enter_group(Crowd &crowd, uint32_t row, uint32_t group) noexcept;
 void leave_group(Crowd &crowd, uint32_t row) noexcept;  // keeps the numbers of its transform

@@ -35,6 +35,7 @@ void swap_state(Crowd &crowd, Crowd &restored)
     for (uint32_t row = 0; row < restored.group_count(); ++row)
         if (tables.groups.all.in_use(row)) tables.groups.all[row].version = crowd.next_version++;
     ++crowd.structure;
+    for (Changes *reader : crowd.readers) reader->everything = true;
     std::swap(crowd.tables, restored.tables);
 }
 
