@@ -20,6 +20,7 @@
 #include <claque/play.h>
 #include <claque/renderer.h>
 #include <claque/save.h>
+#include <claque/scene.h>
 #include <claque/shadow.h>
 #include <claque/simd.h>
 #include <claque/template.h>

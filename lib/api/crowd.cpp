@@ -6,6 +6,7 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/key_poses.h"
+#include "lib/api/scene_handle.h"
 #include "lib/api/track_handle.h"
 
 using namespace claque;
@@ -89,6 +90,10 @@ clq_crowd::~clq_crowd()
         view->~clq_view();
         context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
     }
+    for (clq_scene *scene : scenes) {
+        scene->~clq_scene();
+        context->memory.deallocate(scene, sizeof(clq_scene), alignof(clq_scene));
+    }
 }
 
 extern "C" {
@@ -158,6 +163,7 @@ clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *vi
                 if (views[k] == views[i]) base::fail(CLQ_ARGUMENT, "views %u and %u are the same", k, i);
             crowd->views_of_update.push_back(&views[i]->view);
         }
+        api::reserve_scenes(crowd, views, view_count);
         api::require(frame::update(crowd->crowd, crowd->frame,
                                    base::Span<frame::View *const>(crowd->views_of_update.data(), view_count), time_s,
                                    crowd->context->jobs));
@@ -166,6 +172,7 @@ clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *vi
             for (uint32_t i = 0; i < view_count; ++i) asked = asked || views[i] == view;
             if (!asked) view->view.list.items.clear();
         }
+        api::update_scenes(crowd, views, view_count, time_s);
     });
 }
 

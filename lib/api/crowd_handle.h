@@ -1,6 +1,7 @@
 // The structs behind clq_crowd and clq_view.
 #pragma once
 
+#include <claque/scene.h>
 #include <claque/track.h>
 #include <claque/view.h>
 
@@ -21,6 +22,7 @@ struct clq_crowd {
           held(&owner->memory),
           tracks(&owner->memory),
           views(&owner->memory),
+          scenes(&owner->memory),
           views_of_update(&owner->memory),
           placed_ids(&owner->memory),
           placed(&owner->memory),
@@ -35,6 +37,7 @@ struct clq_crowd {
     std::pmr::vector<clq_template *> held;        // every template it has used
     std::pmr::unordered_set<clq_track *> tracks;  // every track that its actors may follow
     std::pmr::vector<clq_view *> views;
+    std::pmr::vector<clq_scene *> scenes;
     std::pmr::vector<claque::frame::View *> views_of_update;  // of the present update
     // Scratch of set_transforms: hosts call it every frame, and it allocates only when it grows.
     std::pmr::vector<claque::crowd::Id> placed_ids;

@@ -9,6 +9,7 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/saved_def.h"
+#include "lib/api/scene_handle.h"
 #include "lib/api/track_handle.h"
 
 using namespace claque;
@@ -161,6 +162,7 @@ clq_status clq_crowd_restore(clq_crowd *crowd, const void *bytes, size_t size_by
         for (clq_template *tmpl : resolver.used())
             if (std::find(held.begin(), held.end(), tmpl) == held.end()) fresh.push_back(tmpl);
         crowd->held.reserve(held.size() + fresh.size());
+        for (clq_scene *scene : crowd->scenes) scene->scene.settle(crowd->crowd);
         crowd::swap_state(crowd->crowd, restored);
         for (clq_template *tmpl : fresh) {
             api::hold(tmpl);

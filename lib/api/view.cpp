@@ -5,9 +5,35 @@
 #include <cmath>
 
 #include "lib/api/boundary.h"
+#include "lib/api/camera_def.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/scene_handle.h"
 
 using namespace claque;
+
+namespace claque::api
+{
+
+frame::Camera camera_of(const clq_camera &camera)
+{
+    frame::Camera wanted;
+    wanted.eye = glm::dvec3(camera.eye[0], camera.eye[1], camera.eye[2]);
+    const float *q = camera.rotation_xyzw;
+    wanted.rotation = glm::quat(q[3], q[0], q[1], q[2]);
+    bool finite = std::isfinite(wanted.eye.x) && std::isfinite(wanted.eye.y) && std::isfinite(wanted.eye.z);
+    for (int k = 0; k < 16; ++k) {
+        wanted.projection[k] = camera.projection[k];
+        finite = finite && std::isfinite(camera.projection[k]);
+    }
+    require(finite, "the eye or the projection is not finite");
+    const float length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    if (!(std::fabs(length - 1) <= 2e-3f))
+        base::fail(CLQ_ARGUMENT, "the camera's rotation has length %g: a unit quaternion is wanted",
+                   std::sqrt(static_cast<double>(length)));
+    return wanted;
+}
+
+}  // namespace claque::api
 
 extern "C" {
 
@@ -51,6 +77,7 @@ clq_status clq_view_destroy(clq_view *view)
         clq_crowd *crowd = view->crowd;
         const api::Busy busy(crowd);
         crowd->views.erase(std::remove(crowd->views.begin(), crowd->views.end(), view), crowd->views.end());
+        for (clq_scene *scene : crowd->scenes) scene->scene.forget_view(view);
         view->~clq_view();
         crowd->context->memory.deallocate(view, sizeof(clq_view), alignof(clq_view));
     });
@@ -61,21 +88,7 @@ clq_status clq_view_set_camera(clq_view *view, const clq_camera *camera)
     return api::boundary("clq_view_set_camera", [&] {
         api::require(view && camera, "view or camera is NULL");
         const api::Busy busy(view->crowd);
-        frame::Camera wanted;
-        wanted.eye = glm::dvec3(camera->eye[0], camera->eye[1], camera->eye[2]);
-        const float *q = camera->rotation_xyzw;
-        wanted.rotation = glm::quat(q[3], q[0], q[1], q[2]);
-        bool finite = std::isfinite(wanted.eye.x) && std::isfinite(wanted.eye.y) && std::isfinite(wanted.eye.z);
-        for (int k = 0; k < 16; ++k) {
-            wanted.projection[k] = camera->projection[k];
-            finite = finite && std::isfinite(camera->projection[k]);
-        }
-        api::require(finite, "the eye or the projection is not finite");
-        const float length = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
-        if (!(std::fabs(length - 1) <= 2e-3f))
-            base::fail(CLQ_ARGUMENT, "the camera's rotation has length %g: a unit quaternion is wanted",
-                       std::sqrt(static_cast<double>(length)));
-        view->view.camera = wanted;
+        view->view.camera = api::camera_of(*camera);
     });
 }
 

@@ -261,7 +261,7 @@ void add_views(std::vector<Call> &all)
 std::vector<Call> all_calls()
 {
     std::vector<Call> all;
-    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_views(all);
+    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_views(all), add_scene_calls(all);
     return all;
 }
 

@@ -1,4 +1,4 @@
-// Every call of the C API for a crowd, a view or a renderer, with arguments that only a guard refuses.
+// Every call of the C API for a crowd, a view, a scene or a renderer, with arguments that only a guard refuses.
 #pragma once
 
 #include <functional>
@@ -17,6 +17,7 @@ struct Objects {
     clq_group group = {0, 0};
     clq_attachment attachment = {0, 0};
     clq_view *view = nullptr;
+    clq_scene *scene = nullptr;  // in which the actor has a key
     clq_renderer *renderer = nullptr;
     clq_colour_map *map = nullptr;
 };
@@ -31,6 +32,8 @@ struct Call {
 };
 
 const std::vector<Call> &calls();
+void add_scene_calls(std::vector<Call> &all);
+clq_scene *new_scene(clq_crowd *crowd, clq_actor actor);
 
 // A crowd with a group, a view, a renderer and a colour map; its last update showed individuals.
 class Busy : public testing::Test

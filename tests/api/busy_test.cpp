@@ -40,10 +40,10 @@ double height(void *user, const double *)
 
 using BusyCalls = busy::Busy;
 
-TEST(BusyTable, HoldsEveryCallForACrowdAViewOrARenderer)
+TEST(BusyTable, HoldsEveryCallForACrowdAViewASceneOrARenderer)
 {
     std::set<std::string> declared, listed;
-    const std::regex call(R"((clq_\w+)\((?:const )?(?:struct )?clq_(?:crowd|view|renderer) \*)");
+    const std::regex call(R"((clq_\w+)\((?:const )?(?:struct )?clq_(?:crowd|view|scene|renderer) \*)");
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
         std::stringstream text;
         text << std::ifstream(header.path()).rdbuf();

@@ -21,7 +21,8 @@ bool ends(const Call &call)
 bool repeats(const Call &call)
 {
     return call.use == Use::changes_crowd && !ends(call) && call.name != "clq_crowd_restore" &&
-           call.name.find("_add_") == std::string::npos && call.name != "clq_view_create";
+           call.name.find("_add_") == std::string::npos && call.name != "clq_view_create" &&
+           call.name != "clq_scene_create";
 }
 
 struct Tried {

@@ -17,17 +17,19 @@ void fail_now_and_then(uint64_t bits)
 
 TEST(Fuzz, CallsAtRandomKeepToTheLaws)
 {
-    uint32_t good = 0, bad = 0, drawn = 0;
+    uint32_t good = 0, bad = 0, drawn = 0, picked = 0;
     for (uint64_t seed = 1; seed <= 20 && !HasFailure(); ++seed) {
         fuzz::Options options;
         options.steps = 4000;
         fuzz::World world(seed, options);
         world.run();
         good += world.good(), bad += world.bad(), drawn += world.drawn();
+        picked += world.picked();
     }
     EXPECT_GT(good, 40000u);
     EXPECT_GT(bad, 15000u);
     EXPECT_GT(drawn, 5000u);
+    EXPECT_GT(picked, 15u);
 }
 
 TEST(Fuzz, CallsAtRandomKeepToTheLawsWhereMemoryFails)

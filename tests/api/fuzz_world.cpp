@@ -101,7 +101,12 @@ void World::run()
                  {2, &World::describe_play},
                  {8, &World::blend},
                  {3, &World::watch},
-                 {5, &World::follow}};
+                 {5, &World::follow},
+                 {2, &World::new_scene},
+                 {1, &World::end_scene},
+                 {5, &World::tell_scene},
+                 {4, &World::ask_scene},
+                 {4, &World::ask_places}};
     uint32_t all = 0;
     for (const auto &each : steps) all += each.share;
     const bool chosen_by_bytes = options_.choices.size > 0;

@@ -81,6 +81,7 @@ public:
     uint32_t good() const { return good_; }
     uint32_t bad() const { return bad_; }
     uint32_t drawn() const { return drawn_; }  // individuals
+    uint32_t picked() const { return picked_; }
 
 private:
     using Step = void (World::*)();
@@ -145,6 +146,14 @@ private:
     void draw_shadows();
     void ask_list();
 
+    // fuzz_scene.cpp
+    void new_scene();
+    void end_scene();
+    void tell_scene();
+    void ask_scene();
+    void ask_places();
+    clq_scene_filter any_filter();
+
     clq_actor who();  // mostly a live actor
     clq_group any_group();
     clq_mechanism any_mechanism() { return {random_.one_in(20) ? 0 : 1 + random_.index(known_.mechanisms + 1)}; }
@@ -164,12 +173,13 @@ private:
     clq_view *strange_view_ = nullptr;
     clq_renderer *renderer_ = nullptr;
     std::vector<clq_view *> views_;
+    std::vector<clq_scene *> scenes_;
     Known known_, known_then_;
     saved::Bytes bytes_;  // of the state of known_then_
     clq_dof_value values_[64];
     uint32_t used_values_ = 0;
     double time_s_ = 0;
-    uint32_t good_ = 0, bad_ = 0, drawn_ = 0, step_ = 0;
+    uint32_t good_ = 0, bad_ = 0, drawn_ = 0, picked_ = 0, step_ = 0;
     uint64_t seed_;
 };
 

@@ -22,7 +22,9 @@ const std::set<std::string> allocate = {
     "clq_crowd_get_events",     "clq_crowd_add_mechanism", "clq_actor_gaze",
     "clq_actor_express",        "clq_actor_say",           "clq_crowd_add_root_path",
     "clq_actor_play_root_path", "clq_actor_follow_track",  "clq_crowd_randomise_colours",
-    "clq_crowd_release_tracks", "clq_group_create",        "clq_view_create"};
+    "clq_crowd_release_tracks", "clq_group_create",        "clq_view_create",
+    "clq_scene_create",         "clq_scene_update",        "clq_scene_set_categories",
+    "clq_scene_set_keys"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
     "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share", "clq_renderer_prepare",
@@ -86,6 +88,15 @@ void add_crowds(std::vector<Call> &all)
                        bool chosen[4];
                        return clq_key_poses_choose(bins, 3, 2, chosen, 4);
                    }});
+    all.push_back({"clq_camera_get_ray",
+                   [](W) {
+                       clq_camera camera;
+                       clq_ray ray;
+                       const clq_look_at_def def = clq_look_at_def_init();
+                       const clq_status status = clq_camera_look_at(&def, &camera);
+                       return status == CLQ_OK ? clq_camera_get_ray(&camera, 0.5f, 0.5f, &ray) : status;
+                   },
+                   quiet});
     all.push_back({"clq_camera_look_at",
                    [](W) {
                        clq_camera camera;

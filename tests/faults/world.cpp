@@ -164,6 +164,8 @@ void World::make_crowds()
     const float centre[3] = {0, 0, 0};
     EXPECT_EQ(api_test::attach(objects.crowd, objects.actor, 0, centre, 1, &objects.attachment), CLQ_OK);
     objects.view = test.new_view(objects.crowd, 0);
+    objects.scene = busy::new_scene(objects.crowd, objects.actor);
+    EXPECT_EQ(clq_scene_set_categories(objects.scene, actors.data(), 9, 5), CLQ_OK) << clq_last_error();
     EXPECT_EQ(clq_crowd_update(objects.crowd, 1, &objects.view, 1), CLQ_OK) << clq_last_error();
     bare = crowd_of(CLQ_CACHE_NONE, 0, &bare_view, true);
     key_posed = crowd_of(CLQ_CACHE_FULL, 1, &key_view, true);

@@ -70,6 +70,25 @@ void see_crowd(Lines &all, const std::string &name, const clq_crowd *crowd, cons
     all.add(name + "'s visible actors", stats.visible);
 }
 
+void see_scene(Lines &all, const clq_scene *scene)
+{
+    const double origin[3] = {0, 0, 0};
+    clq_scene_hit hits[200];
+    clq_actor found[200];
+    uint32_t count = 0;
+    EXPECT_EQ(clq_scene_find_within(scene, 1, origin, 1e9, nullptr, hits, 200, &count), CLQ_OK) << clq_last_error();
+    all.add("individuals by place", hash_of(hits, std::min(count, 200u) * sizeof *hits) + count);
+    EXPECT_EQ(clq_scene_find_keys(scene, -1e9, 1e9, nullptr, found, 200, &count), CLQ_OK) << clq_last_error();
+    all.add("individuals in order", hash_of(found, std::min(count, 200u) * sizeof *found) + count);
+    for (uint32_t level = 0; level < 2; ++level)
+        for (uint32_t category = 0; category < 3; ++category) {
+            clq_scene_filter filter = clq_scene_filter_init();
+            filter.level = level, filter.any_of = uint64_t(1) << category;
+            EXPECT_EQ(clq_scene_find(scene, &filter, found, 200, &count), CLQ_OK) << clq_last_error();
+            all.add("individuals of a category", hash_of(found, std::min(count, 200u) * sizeof *found) + count);
+        }
+}
+
 void see_files(Lines &all, const std::string &folder)
 {
     std::vector<std::string> names;
@@ -90,6 +109,7 @@ std::string World::see()
     see_crowd(all, "bare crowd", bare, bare_view);
     see_crowd(all, "crowd with key-poses", key_posed, key_view);
     see_crowd(all, "young crowd", young, young_view);
+    see_scene(all, objects.scene);
     for (const clq_template *tmpl : test.templates) all.add("template", bytes_of(tmpl));
     for (clq_renderer *renderer : {objects.renderer, fresh})
         for (const clq_template *tmpl : {test.templates[0], test.templates[1], person_template}) {
@@ -124,6 +144,7 @@ std::string World::see_future()
         EXPECT_EQ(clq_renderer_draw_shadows(without_shadows, views[k], &shadows, nullptr), CLQ_OK) << clq_last_error();
         all.add("next shadows", watched_gl::picture());
     }
+    see_scene(all, objects.scene);
     EXPECT_EQ(clq_renderer_prepare(fresh, person_template), CLQ_OK) << clq_last_error();
     all.add("textures of another renderer", watched_gl::textures());
     return all.text();

@@ -10,9 +10,11 @@ from .context import Context
 from .crowd import Actor, Crowd, View
 from .offscreen import Offscreen
 from .renderer import Renderer
+from .scene import Scene
 from .template import Template
 from .tracks import Locomotion, Track, Tracks
 from .trajectories import Area, Trajectories
 
-__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Renderer", "Status", "Template",
+__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Renderer", "Scene", "Status",
+           "Template",
            "Track", "Tracks", "Trajectories", "View", "library_paths"]

@@ -63,6 +63,7 @@ class Crowd(Owned):
     def __init__(self, context):
         super().__init__(made("clq_crowd_create", abi.call, context.handle, None), context)
         self._views = []
+        self._scenes = []
 
     def add(self, template, position=(0, 0, 0), heading_rad=0.0, scale=1.0, clip=None, start_s=0.0, speed=1.0,
             phase_s=0.0, seed=0, texture_set=0, colours=True):
@@ -101,8 +102,8 @@ class Crowd(Owned):
         abi.call("clq_crowd_update", self.handle, c_double(time_s), pointers, c_uint32(len(views)))
 
     def close(self):
-        for view in getattr(self, "_views", []):
-            view._pointer = None  # views are destroyed with their crowd
+        for child in getattr(self, "_views", []) + getattr(self, "_scenes", []):
+            child._pointer = None  # destroyed with their crowd
         super().close()
 
 
