@@ -18,6 +18,7 @@
 #include <claque/key_poses.h>
 #include <claque/mesh.h>
 #include <claque/play.h>
+#include <claque/record.h>
 #include <claque/renderer.h>
 #include <claque/save.h>
 #include <claque/scene.h>

@@ -3,6 +3,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/api/template_def.h"
 
 using namespace claque;
@@ -84,7 +85,9 @@ clq_status clq_actor_create(clq_crowd *crowd, const clq_actor_def *def, clq_acto
                                            api::play_of(wanted.play), wanted.seed);
         crowd::set_texture_set(crowd->crowd, id, wanted.texture_set);
         held.keep();
-        *out = {id.index1, id.generation};
+        const clq_actor made = {id.index1, id.generation};
+        *out = made;
+        api::changed_by(crowd, [&](api::Recorder &to) { to.create(wanted, made); });
     });
 }
 
@@ -94,6 +97,7 @@ clq_status clq_actor_destroy(clq_crowd *crowd, clq_actor actor)
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::destroy(crowd->crowd, api::id_of(actor));
+        api::changed(crowd, record::ActorDestroy{actor});
     });
 }
 
@@ -103,6 +107,7 @@ clq_status clq_actor_play(clq_crowd *crowd, clq_actor actor, const clq_play *pla
         api::require(crowd && play, "crowd or play is NULL");
         const api::Busy busy(crowd);
         crowd::play(crowd->crowd, api::id_of(actor), api::play_of(*play));
+        api::changed(crowd, record::ActorPlay{actor, *play});
     });
 }
 
@@ -112,6 +117,7 @@ clq_status clq_actor_set_colours(clq_crowd *crowd, clq_actor actor, const float 
         api::require(crowd && rgb, "crowd or rgb is NULL");
         const api::Busy busy(crowd);
         crowd::set_colours(crowd->crowd, api::id_of(actor), rgb, zone_count);
+        api::changed_by(crowd, [&](api::Recorder &to) { to.colours(&actor, 1); });
     });
 }
 
@@ -125,6 +131,7 @@ clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor, const 
         wanted.reserve(zone_count);
         for (uint32_t i = 0; i < zone_count; ++i) wanted.push_back(api::range_of(ranges[i]));
         crowd::randomise_colours(crowd->crowd, api::id_of(actor), wanted.data(), zone_count);
+        api::changed_by(crowd, [&](api::Recorder &to) { to.colours(&actor, 1); });
     });
 }
 

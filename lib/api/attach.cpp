@@ -5,6 +5,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/frame/node_matrix.h"
 
 using namespace claque;
@@ -20,7 +21,10 @@ clq_status clq_actor_clone(clq_crowd *crowd, clq_actor actor, const clq_transfor
         crowd::Transform wanted;
         if (transform) wanted = api::transform_of(*transform);
         const crowd::Id id = crowd::clone(crowd->crowd, api::id_of(actor), transform ? &wanted : nullptr, seed);
-        *out = {id.index1, id.generation};
+        const record::ActorClone made{
+            actor, transform != nullptr, api::place_or_none(transform), seed, {id.index1, id.generation}};
+        *out = made.made;
+        api::changed(crowd, made);
     });
 }
 
@@ -30,6 +34,7 @@ clq_status clq_actor_set_priority(clq_crowd *crowd, clq_actor actor, float prior
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::set_priority(crowd->crowd, api::id_of(actor), priority);
+        api::changed(crowd, record::ActorSetPriority{actor, priority});
     });
 }
 
@@ -39,6 +44,7 @@ clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::set_texture_set(crowd->crowd, api::id_of(actor), set);
+        api::changed(crowd, record::ActorSetTextureSet{actor, set});
     });
 }
 
@@ -50,7 +56,11 @@ clq_status clq_actor_attach(clq_crowd *crowd, clq_actor actor, const clq_attachm
         const api::Busy busy(crowd);
         const model::Sphere sphere{glm::vec3(wanted.centre[0], wanted.centre[1], wanted.centre[2]), wanted.radius};
         const crowd::Id id = crowd::attach(crowd->crowd, api::id_of(actor), wanted.node, sphere);
-        if (out) *out = {id.index1, id.generation};
+        const float *c = wanted.centre;
+        const record::ActorAttach made{
+            actor, wanted.node, {c[0], c[1], c[2]}, wanted.radius, {id.index1, id.generation}};
+        if (out) *out = made.made;
+        api::changed(crowd, made);
     });
 }
 
@@ -60,6 +70,7 @@ clq_status clq_actor_detach(clq_crowd *crowd, clq_attachment attachment)
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::detach(crowd->crowd, {attachment.index1, attachment.generation});
+        api::changed(crowd, record::ActorDetach{attachment});
     });
 }
 

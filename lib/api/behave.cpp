@@ -4,8 +4,10 @@
 #include "lib/api/behave_def.h"
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/behave/command.h"
 #include "lib/behave/writer.h"
+#include "lib/crowd/descriptions.h"
 
 using namespace claque;
 
@@ -29,6 +31,10 @@ clq_status clq_crowd_add_mechanism(clq_crowd *crowd, const clq_mechanism_def *de
         crowd::Mechanism made = api::mechanism_of(wanted, *wanted.tmpl, &crowd->context->memory, written);
         const uint32_t index = crowd->crowd.behaviours().add(std::move(made), base::Span<const uint32_t>(written));
         *out = {index + 1};
+        api::changed_by(crowd, [&](api::Recorder &to) {
+            to.description(record::Kind::crowd_add_mechanism,
+                           [&](crowd::Writer &entry) { crowd::write_mechanism(entry, crowd->crowd.tables, index); });
+        });
     });
 }
 
@@ -43,6 +49,8 @@ clq_status clq_actor_attach_mechanism(clq_crowd *crowd, clq_actor actor, const c
         wanted.phase_s = attachment->phase_s;
         wanted.start_s = attachment->start_s;
         crowd::attach_mechanism(crowd->crowd, api::id_of(actor), wanted);
+        api::changed(crowd, record::ActorAttachMechanism{actor, attachment->mechanism.index1, attachment->priority,
+                                                         attachment->phase_s, attachment->start_s});
     });
 }
 
@@ -56,6 +64,7 @@ clq_status clq_actor_detach_mechanism(clq_crowd *crowd, clq_actor actor, clq_mec
             base::fail(CLQ_ARGUMENT, "mechanism %u does not exist: the crowd has %u", mechanism.index1,
                        crowd->crowd.behaviours().mechanism_count());
         crowd::detach_mechanism(crowd->crowd, api::id_of(actor), mechanism.index1 - 1);
+        api::changed(crowd, record::ActorDetachMechanism{actor, mechanism.index1});
     });
 }
 
@@ -66,6 +75,8 @@ clq_status clq_actor_gaze(clq_crowd *crowd, clq_actor actor, clq_mechanism gaze,
         const api::Busy busy(crowd);
         const glm::dvec3 wanted = point ? glm::dvec3(point[0], point[1], point[2]) : glm::dvec3(0);
         behave::command_gaze(crowd->crowd, api::id_of(actor), gaze.index1 - 1, point ? &wanted : nullptr, at_s);
+        api::changed(crowd,
+                     record::ActorGaze{actor, gaze.index1, point != nullptr, {wanted.x, wanted.y, wanted.z}, at_s});
     });
 }
 
@@ -76,6 +87,7 @@ clq_status clq_actor_express(clq_crowd *crowd, clq_actor actor, clq_mechanism ex
         const api::Busy busy(crowd);
         behave::command_expression(crowd->crowd, api::id_of(actor), expression.index1 - 1,
                                    pose == CLQ_NONE ? model::none : pose, at_s);
+        api::changed(crowd, record::ActorExpress{actor, expression.index1, pose, at_s});
     });
 }
 
@@ -85,6 +97,7 @@ clq_status clq_actor_say(clq_crowd *crowd, clq_actor actor, clq_mechanism phrase
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         behave::command_phrase(crowd->crowd, api::id_of(actor), phrase.index1 - 1, at_s);
+        api::changed(crowd, record::ActorSay{actor, phrase.index1, at_s});
     });
 }
 
@@ -94,7 +107,12 @@ clq_status clq_crowd_add_root_path(clq_crowd *crowd, const clq_root_path_def *de
         api::require(crowd && def && out, "crowd, def or out is NULL");
         const clq_root_path_def wanted = api::read_def(def, clq_root_path_def_init, "clq_root_path_def_init");
         const api::Busy busy(crowd);
-        *out = {crowd->crowd.behaviours().add(api::path_of(wanted, &crowd->context->memory)) + 1};
+        const uint32_t index = crowd->crowd.behaviours().add(api::path_of(wanted, &crowd->context->memory));
+        *out = {index + 1};
+        api::changed_by(crowd, [&](api::Recorder &to) {
+            to.description(record::Kind::crowd_add_root_path,
+                           [&](crowd::Writer &entry) { crowd::write_path(entry, crowd->crowd.tables, index); });
+        });
     });
 }
 
@@ -109,6 +127,8 @@ clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, const clq
         wanted.phase_s = play->phase_s;
         wanted.start_s = play->start_s;
         crowd::play_root_path(crowd->crowd, api::id_of(actor), wanted);
+        api::changed(crowd,
+                     record::ActorPlayRootPath{actor, play->path.index1, play->speed, play->phase_s, play->start_s});
     });
 }
 
@@ -127,6 +147,7 @@ clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float max_
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::follow_ground(crowd->crowd, api::id_of(actor), max_up, max_down);
+        api::changed(crowd, record::ActorFollowGround{actor, max_up, max_down});
     });
 }
 

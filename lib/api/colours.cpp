@@ -5,6 +5,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/crowd/colour_map.h"
 
 using namespace claque;
@@ -84,6 +85,7 @@ clq_status clq_crowd_randomise_colours(clq_crowd *crowd, const clq_colour_map *m
         ids.reserve(actor_count);
         for (uint32_t i = 0; i < actor_count; ++i) ids.push_back(api::id_of(actors[i]));
         crowd::randomise_colours(crowd->crowd, ids.data(), actor_count, map->map, colour_class);
+        api::changed_by(crowd, [&](api::Recorder &to) { to.colours(actors, actor_count); });
     });
 }
 

@@ -7,6 +7,7 @@
 #include "lib/api/crowd_handle.h"
 #include "lib/api/key_poses.h"
 #include "lib/api/scene_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/api/track_handle.h"
 
 using namespace claque;
@@ -103,7 +104,9 @@ clq_status clq_crowd_create(clq_context *context, const clq_crowd_def *def, clq_
     return api::boundary("clq_crowd_create", [&] {
         api::require(context && out, "context or out is NULL");
         const clq_crowd_def wanted = api::read_def(def, clq_crowd_def_init, "clq_crowd_def_init");
-        *out = api::make<clq_crowd>(context, context, settings_of(*context, wanted), wanted.seed);
+        clq_crowd *made = api::make<clq_crowd>(context, context, settings_of(*context, wanted), wanted.seed);
+        made->def = wanted;
+        *out = made;
     });
 }
 
@@ -112,6 +115,7 @@ clq_status clq_crowd_destroy(clq_crowd *crowd)
     return api::boundary("clq_crowd_destroy", [&] {
         if (!crowd) return;
         api::lock(crowd);
+        api::end_recording(crowd);
         // Templates are released last: the crowd's columns point at them.
         std::pmr::vector<clq_template *> held(std::move(crowd->held));
         const std::pmr::unordered_set<clq_track *> tracks(std::move(crowd->tracks));
@@ -136,6 +140,7 @@ clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, c
             crowd->placed.push_back(api::transform_of(transforms[i]));
         }
         crowd::set_transforms(crowd->crowd, crowd->placed_ids.data(), crowd->placed.data(), count);
+        api::changed_by(crowd, [&](api::Recorder &to) { to.transforms(actors, transforms, count); });
     });
 }
 
@@ -173,6 +178,7 @@ clq_status clq_crowd_update(clq_crowd *crowd, double time_s, clq_view *const *vi
             if (!asked) view->view.list.items.clear();
         }
         api::update_scenes(crowd, views, view_count, time_s);
+        if (crowd->recorder) crowd->recorder->step(time_s);
     });
 }
 

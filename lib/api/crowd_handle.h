@@ -12,6 +12,20 @@
 #include "lib/behave/events.h"
 #include "lib/crowd/edits.h"
 #include "lib/frame/frame.h"
+#include "lib/record/contents.h"
+
+namespace claque::api
+{
+
+class Recorder;  // recorder.h
+
+// How far a record (lib/api/record_handle.h) has been played into a crowd.
+struct Played {
+    uint64_t record = 0;  // its id; 0: the host has changed the crowd since, or no record was played
+    record::Cursor next;
+};
+
+}  // namespace claque::api
 
 // A crowd and all its views share one memory resource and one lock for CLQ_BUSY.
 struct clq_crowd {
@@ -43,6 +57,10 @@ struct clq_crowd {
     std::pmr::vector<claque::crowd::Id> placed_ids;
     std::pmr::vector<claque::crowd::Transform> placed;
     std::pmr::vector<claque::behave::Event> events;  // result of the last query for events
+    clq_crowd_def def = clq_crowd_def_init();        // of which it was made
+    claque::api::Recorder *recorder = nullptr;       // null: it is not recorded
+    claque::api::Played played;
+    uint64_t lender = 0;                    // the id of the record whose templates and tracks it holds
     mutable std::atomic<int32_t> users{0};  // number of calls that read it or draw its views; -1: one that changes it
 };
 

@@ -3,6 +3,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 
 using namespace claque;
 
@@ -24,7 +25,9 @@ clq_status clq_group_create(clq_crowd *crowd, const clq_transform *transform, cl
         api::require(crowd && out, "crowd or out is NULL");
         const api::Busy busy(crowd);
         const crowd::Id id = crowd::create_group(crowd->crowd, group_transform(transform));
-        *out = {id.index1, id.generation};
+        const record::GroupCreate made{transform != nullptr, api::place_or_none(transform), {id.index1, id.generation}};
+        *out = made.made;
+        api::changed(crowd, made);
     });
 }
 
@@ -34,6 +37,7 @@ clq_status clq_group_destroy(clq_crowd *crowd, clq_group group)
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::destroy_group(crowd->crowd, api::id_of(group));
+        api::changed(crowd, record::GroupDestroy{group});
     });
 }
 
@@ -43,6 +47,7 @@ clq_status clq_group_set_transform(clq_crowd *crowd, clq_group group, const clq_
         api::require(crowd && transform, "crowd or transform is NULL");
         const api::Busy busy(crowd);
         crowd::set_group_transform(crowd->crowd, api::id_of(group), group_transform(transform));
+        api::changed(crowd, record::GroupSetTransform{group, *transform});
     });
 }
 
@@ -52,6 +57,7 @@ clq_status clq_group_set_enabled(clq_crowd *crowd, clq_group group, bool enabled
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::enable_group(crowd->crowd, api::id_of(group), enabled);
+        api::changed(crowd, record::GroupSetEnabled{group, enabled});
     });
 }
 
@@ -62,6 +68,7 @@ clq_status clq_actor_join(clq_crowd *crowd, clq_actor actor, clq_group group, co
         const api::Busy busy(crowd);
         const crowd::Transform wanted = transform ? api::transform_of(*transform) : crowd::Transform();
         crowd::join(crowd->crowd, api::id_of(actor), api::id_of(group), transform ? &wanted : nullptr);
+        api::changed(crowd, record::ActorJoin{actor, group, transform != nullptr, api::place_or_none(transform)});
     });
 }
 

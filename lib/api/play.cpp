@@ -6,8 +6,10 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/play_def.h"
+#include "lib/api/recorder.h"
 #include "lib/base/hash.h"
 #include "lib/behave/active_clips.h"
+#include "lib/crowd/descriptions.h"
 #include "lib/model/root_motion.h"
 
 using namespace claque;
@@ -65,7 +67,12 @@ clq_status clq_crowd_add_gait(clq_crowd *crowd, const clq_gait_def *def, clq_gai
         const clq_gait_def wanted = api::read_def(def, clq_gait_def_init, "clq_gait_def_init");
         const api::Busy busy(crowd);
         crowd::Gait made = api::gait_of(wanted, known(crowd, wanted.tmpl), &crowd->context->memory);
-        *out = {crowd->crowd.layers().add(std::move(made)) + 1};
+        const uint32_t index = crowd->crowd.layers().add(std::move(made));
+        *out = {index + 1};
+        api::changed_by(crowd, [&](api::Recorder &to) {
+            to.description(record::Kind::crowd_add_gait,
+                           [&](crowd::Writer &entry) { crowd::write_gait(entry, crowd->crowd.tables, index); });
+        });
     });
 }
 
@@ -76,7 +83,12 @@ clq_status clq_crowd_add_mask(clq_crowd *crowd, const clq_mask_def *def, clq_mas
         const clq_mask_def wanted = api::read_def(def, clq_mask_def_init, "clq_mask_def_init");
         const api::Busy busy(crowd);
         crowd::MaskOf made = api::mask_of(wanted, known(crowd, wanted.tmpl), &crowd->context->memory);
-        *out = {crowd->crowd.layers().add(std::move(made)) + 1};
+        const uint32_t index = crowd->crowd.layers().add(std::move(made));
+        *out = {index + 1};
+        api::changed_by(crowd, [&](api::Recorder &to) {
+            to.description(record::Kind::crowd_add_mask,
+                           [&](crowd::Writer &entry) { crowd::write_mask(entry, crowd->crowd.tables, index); });
+        });
     });
 }
 
@@ -91,6 +103,8 @@ clq_status clq_actor_fade_to(clq_crowd *crowd, clq_actor actor, const clq_fade_d
         const crowd::Source source = crowd::source(crowd->crowd, row, api::play_of(wanted.play), gait, wanted.share);
         crowd::fade_to(crowd->crowd, api::id_of(actor), source, wanted.at_s, wanted.length_s,
                        api::curve_of(wanted.curve));
+        api::changed(crowd, record::ActorFadeTo{actor, wanted.play, wanted.gait.index1, wanted.share, wanted.at_s,
+                                                wanted.length_s, api::number_of(wanted.curve)});
     });
 }
 
@@ -100,6 +114,7 @@ clq_status clq_actor_set_gait_share(clq_crowd *crowd, clq_actor actor, float sha
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::change_share(crowd->crowd, api::id_of(actor), share, at_s, length_s);
+        api::changed(crowd, record::ActorSetGaitShare{actor, share, at_s, length_s});
     });
 }
 
@@ -112,6 +127,10 @@ clq_status clq_actor_add_layer(clq_crowd *crowd, clq_actor actor, const clq_laye
         const model::Template &tmpl = crowd->crowd.template_of(crowd->crowd.row_of(api::id_of(actor)));
         const uint32_t layer_id = crowd::add_layer(crowd->crowd, api::id_of(actor), api::layer_of(wanted, tmpl));
         if (out) *out = {layer_id};
+        api::changed(crowd, record::ActorAddLayer{
+                                actor, api::number_of(wanted.kind), wanted.play, wanted.weight, wanted.loops,
+                                wanted.fade_in_s, wanted.fade_out_s, api::number_of(wanted.curve), wanted.mask.index1,
+                                wanted.has_reference, wanted.reference_clip, wanted.reference_time_s, layer_id});
     });
 }
 
@@ -121,6 +140,7 @@ clq_status clq_actor_end_layer(clq_crowd *crowd, clq_actor actor, clq_layer laye
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::end_layer(crowd->crowd, api::id_of(actor), layer.index1, at_s, fade_out_s);
+        api::changed(crowd, record::ActorEndLayer{actor, layer.index1, at_s, fade_out_s});
     });
 }
 
@@ -201,6 +221,7 @@ clq_status clq_actor_set_watched(clq_crowd *crowd, clq_actor actor, bool watched
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::watch(crowd->crowd, api::id_of(actor), watched);
+        api::changed(crowd, record::ActorSetWatched{actor, watched});
     });
 }
 

@@ -3,6 +3,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
+#include "lib/api/recorder.h"
 #include "lib/api/track_handle.h"
 #include "lib/track/build.h"
 #include "lib/track/track_file.h"
@@ -160,6 +161,7 @@ clq_status clq_actor_follow_track(clq_crowd *crowd, clq_actor actor, clq_track *
         NewTrack held(crowd, track);
         crowd::follow_track(crowd->crowd, api::id_of(actor), *track, start_s);
         held.keep();
+        api::changed_by(crowd, [&](api::Recorder &to) { to.follow(actor, *track, start_s); });
     });
 }
 
@@ -169,6 +171,7 @@ clq_status clq_actor_fade_to_track(clq_crowd *crowd, clq_actor actor, double at_
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::fade_to_track(crowd->crowd, api::id_of(actor), at_s, length_s, crowd::Curve::smooth);
+        api::changed(crowd, record::ActorFadeToTrack{actor, at_s, length_s});
     });
 }
 
@@ -178,6 +181,7 @@ clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, double at_s)
         api::require(crowd != nullptr, "crowd is NULL");
         const api::Busy busy(crowd);
         crowd::leave_track(crowd->crowd, api::id_of(actor), at_s);
+        api::changed(crowd, record::ActorLeaveTrack{actor, at_s});
     });
 }
 
@@ -210,6 +214,7 @@ clq_status clq_crowd_release_tracks(clq_crowd *crowd, uint32_t *released)
             api::release(unused);
             ++count;
         }
+        crowd->lender = 0;  // a record that goes on gives its tracks again
         if (released) *released = count;
     });
 }

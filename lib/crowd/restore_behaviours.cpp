@@ -1,6 +1,7 @@
 // Restores mechanisms, root paths and the attachments of actors.
 #include <cmath>
 
+#include "lib/crowd/descriptions.h"
 #include "lib/crowd/edits.h"
 #include "lib/crowd/restore.h"
 #include "lib/crowd/save_check.h"
@@ -30,27 +31,32 @@ void read_command(Reader &in, Crowd &out, Id id, uint32_t number)
 
 }  // namespace
 
+void read_mechanism(Reader &in, Resolver &resolver, Tables &out)
+{
+    uint8_t kind = 0;
+    uint32_t tmpl = 0;
+    in.value(kind), in.value(tmpl);
+    Mechanism made;
+    made.kind = kind_of(kind, out.actors.all.memory());
+    made.tmpl = template_at(out, tmpl);
+    walk_levels(in, made);
+    std::visit([&](auto &of) { walk_kind(in, of); }, made.kind);
+    resolver.add(out.behaviours, out.behaviours.mechanism_count(), std::move(made));
+}
+
+void read_path(Reader &in, Resolver &resolver, Tables &out)
+{
+    RootPath path(out.actors.all.memory());
+    walk_path(in, path);
+    resolver.add(out.behaviours, out.behaviours.path_count(), std::move(path));
+}
+
 void read_behaviours(Reader &in, Resolver &resolver, Tables &out)
 {
-    std::pmr::memory_resource *memory = out.actors.all.memory();
     const uint32_t mechanisms = in.count(22);
-    for (uint32_t i = 0; i < mechanisms; ++i) {
-        uint8_t kind = 0;
-        uint32_t tmpl = 0;
-        in.value(kind), in.value(tmpl);
-        Mechanism made;
-        made.kind = kind_of(kind, memory);
-        made.tmpl = template_at(out, tmpl);
-        walk_levels(in, made);
-        std::visit([&](auto &of) { walk_kind(in, of); }, made.kind);
-        resolver.add(out.behaviours, i, std::move(made));
-    }
+    for (uint32_t i = 0; i < mechanisms; ++i) read_mechanism(in, resolver, out);
     const uint32_t paths = in.count(25);
-    for (uint32_t i = 0; i < paths; ++i) {
-        RootPath path(memory);
-        walk_path(in, path);
-        resolver.add(out.behaviours, i, std::move(path));
-    }
+    for (uint32_t i = 0; i < paths; ++i) read_path(in, resolver, out);
 }
 
 void read_uses(Reader &in, Crowd &out, uint32_t row)

@@ -1,4 +1,5 @@
 // Restores gaits, masks, and the fades and layers of actors.
+#include "lib/crowd/descriptions.h"
 #include "lib/crowd/edits.h"
 #include "lib/crowd/gait.h"
 #include "lib/crowd/layer_rules.h"
@@ -9,27 +10,32 @@ namespace claque::crowd
 
 using base::fail;
 
+void read_gait(Reader &in, Tables &out)
+{
+    Gait gait(out.layers.memory());
+    uint32_t tmpl = 0;
+    in.value(tmpl);
+    gait.tmpl = template_at(out, tmpl);
+    walk_gait(in, gait);
+    check_gait(gait);
+    out.layers.add(std::move(gait));
+}
+
+void read_mask(Reader &in, Tables &out)
+{
+    uint32_t tmpl = 0;
+    in.value(tmpl);
+    Array<float> weights(out.layers.memory());
+    in.array(weights, 4, [&](float &weight) { in.value(weight); });
+    out.layers.add(checked_mask(*template_at(out, tmpl), std::move(weights)));
+}
+
 void read_layers(Reader &in, Tables &out)
 {
-    std::pmr::memory_resource *memory = out.layers.memory();
     const uint32_t gaits = in.count(20);
-    for (uint32_t i = 0; i < gaits; ++i) {
-        Gait gait(memory);
-        uint32_t tmpl = 0;
-        in.value(tmpl);
-        gait.tmpl = template_at(out, tmpl);
-        walk_gait(in, gait);
-        check_gait(gait);
-        out.layers.add(std::move(gait));
-    }
+    for (uint32_t i = 0; i < gaits; ++i) read_gait(in, out);
     const uint32_t masks = in.count(8);
-    for (uint32_t i = 0; i < masks; ++i) {
-        uint32_t tmpl = 0;
-        in.value(tmpl);
-        Array<float> weights(memory);
-        in.array(weights, 4, [&](float &weight) { in.value(weight); });
-        out.layers.add(checked_mask(*template_at(out, tmpl), std::move(weights)));
-    }
+    for (uint32_t i = 0; i < masks; ++i) read_mask(in, out);
     in.value(out.layers.last_layer_id);
 }
 

@@ -1,5 +1,6 @@
 #include "lib/crowd/save.h"
 
+#include "lib/crowd/descriptions.h"
 #include "lib/crowd/save_rows.h"
 
 namespace claque::crowd
@@ -26,36 +27,45 @@ uint32_t number_of(const Tables &tables, const model::Template *tmpl)
 
 void write_behaviours(Writer &out, const Tables &tables)
 {
-    const Behaviours &from = tables.behaviours;
-    out.count(from.mechanism_count());
-    for (uint32_t i = 0; i < from.mechanism_count(); ++i) {
-        const Mechanism &m = from.mechanism(i);
-        out.value(static_cast<uint8_t>(m.kind.index()));
-        out.value(number_of(tables, m.tmpl));
-        walk_levels(out, m);
-        std::visit([&](const auto &kind) { walk_kind(out, kind); }, m.kind);
-    }
-    out.count(from.path_count());
-    for (uint32_t i = 0; i < from.path_count(); ++i) walk_path(out, from.path(i));
+    out.count(tables.behaviours.mechanism_count());
+    for (uint32_t i = 0; i < tables.behaviours.mechanism_count(); ++i) write_mechanism(out, tables, i);
+    out.count(tables.behaviours.path_count());
+    for (uint32_t i = 0; i < tables.behaviours.path_count(); ++i) write_path(out, tables, i);
 }
 
 void write_layers(Writer &out, const Tables &tables)
 {
-    const Layers &from = tables.layers;
-    out.count(from.gait_count());
-    for (uint32_t i = 0; i < from.gait_count(); ++i) {
-        out.value(number_of(tables, from.gait(i).tmpl));
-        walk_gait(out, from.gait(i));
-    }
-    out.count(from.mask_count());
-    for (uint32_t i = 0; i < from.mask_count(); ++i) {
-        out.value(number_of(tables, from.mask(i).tmpl));
-        out.array(*from.mask(i).weights, 4, [&](float weight) { out.value(weight); });
-    }
-    out.value(from.last_layer_id);
+    out.count(tables.layers.gait_count());
+    for (uint32_t i = 0; i < tables.layers.gait_count(); ++i) write_gait(out, tables, i);
+    out.count(tables.layers.mask_count());
+    for (uint32_t i = 0; i < tables.layers.mask_count(); ++i) write_mask(out, tables, i);
+    out.value(tables.layers.last_layer_id);
 }
 
 }  // namespace
+
+void write_mechanism(Writer &out, const Tables &tables, uint32_t index)
+{
+    const Mechanism &m = tables.behaviours.mechanism(index);
+    out.value(static_cast<uint8_t>(m.kind.index()));
+    out.value(number_of(tables, m.tmpl));
+    walk_levels(out, m);
+    std::visit([&](const auto &kind) { walk_kind(out, kind); }, m.kind);
+}
+
+void write_path(Writer &out, const Tables &tables, uint32_t index) { walk_path(out, tables.behaviours.path(index)); }
+
+void write_gait(Writer &out, const Tables &tables, uint32_t index)
+{
+    out.value(number_of(tables, tables.layers.gait(index).tmpl));
+    walk_gait(out, tables.layers.gait(index));
+}
+
+void write_mask(Writer &out, const Tables &tables, uint32_t index)
+{
+    out.value(number_of(tables, tables.layers.mask(index).tmpl));
+    out.array(*tables.layers.mask(index).weights, 4, [&](float weight) { out.value(weight); });
+}
 
 void save_contents(const Crowd &crowd, base::Sink &sink)
 {

@@ -38,6 +38,9 @@ void Busy::SetUp()
     ASSERT_EQ(api_test::attach(objects_.crowd, objects_.actor, 0, centre, 1, &objects_.attachment), CLQ_OK);
     objects_.view = world_.new_view(objects_.crowd, 0);
     objects_.scene = new_scene(objects_.crowd, objects_.actor);
+    clq_recording_def recording = clq_recording_def_init();
+    recording.write = [](void *, const void *, size_t) { return 0; };
+    ASSERT_EQ(clq_crowd_begin_recording(objects_.crowd, &recording), CLQ_OK) << clq_last_error();
     objects_.map = new_map(world_.context);
     objects_.renderer = stub_gl::new_renderer(world_);
     ASSERT_EQ(clq_crowd_update(objects_.crowd, 1, &objects_.view, 1), CLQ_OK) << clq_last_error();

@@ -131,6 +131,12 @@ void add_crowds(std::vector<Call> &all)
     change("clq_crowd_destroy", [](O o) { return clq_crowd_destroy(o.crowd); });
     change("clq_crowd_update", [](O o) { return clq_crowd_update(o.crowd, 9, &o.view, 1); });
     change("clq_crowd_reset_bands", [](O o) { return clq_crowd_reset_bands(o.crowd); });
+    change("clq_crowd_end_recording", [](O o) { return clq_crowd_end_recording(o.crowd, nullptr); });
+    change("clq_crowd_begin_recording", [](O o) {
+        clq_recording_def def = clq_recording_def_init();
+        def.write = take;
+        return clq_crowd_begin_recording(o.crowd, &def);
+    });
     change("clq_crowd_set_ground", [](O o) { return clq_crowd_set_ground(o.crowd, nullptr, nullptr); });
     change("clq_crowd_save", [](O o) { return clq_crowd_save(o.crowd, take, nullptr); });
     change("clq_crowd_restore", [](O o) { return clq_crowd_restore(o.crowd, "", 0, o.world->templates, 2); });
@@ -181,6 +187,10 @@ void add_readers(std::vector<Call> &all)
     read("clq_crowd_get_key_pose_stats", [](O o) {
         clq_key_pose_stats stats = clq_key_pose_stats_init();
         return clq_crowd_get_key_pose_stats(o.crowd, &stats);
+    });
+    read("clq_crowd_get_recording", [](O o) {
+        clq_recording_info info = clq_recording_info_init();
+        return clq_crowd_get_recording(o.crowd, &info);
     });
     read("clq_crowd_get_stats", [](O o) {
         clq_crowd_stats stats = clq_crowd_stats_init();

@@ -29,7 +29,8 @@ const std::set<std::string> allocate = {
 const std::set<std::string> here = {
     "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share", "clq_renderer_prepare",
     "clq_actor_set_hooks",        "clq_actor_detach",          "clq_crowd_update",         "clq_crowd_set_transforms",
-    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",  "clq_actor_leave_track"};
+    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",  "clq_actor_leave_track",
+    "clq_crowd_begin_recording",  "clq_crowd_end_recording",   "clq_crowd_get_recording"};
 
 void add_busy(std::vector<Call> &all)
 {
@@ -218,7 +219,7 @@ const std::vector<Call> &calls()
     static const std::vector<Call> all = [] {
         std::vector<Call> made;
         add_template_calls(made), add_asset_calls(made), add_people_calls(made), add_walking_calls(made),
-            add_other_calls(made);
+            add_record_calls(made), add_other_calls(made);
         return made;
     }();
     return all;

@@ -29,6 +29,7 @@ void note_template(World &w);  // for Call::after
 
 void add_asset_calls(std::vector<Call> &all);
 void add_people_calls(std::vector<Call> &all);
+void add_record_calls(std::vector<Call> &all);
 void add_template_calls(std::vector<Call> &all);
 void add_walking_calls(std::vector<Call> &all);
 void add_other_calls(std::vector<Call> &all);

@@ -93,6 +93,7 @@ World::World() : test(failing()), maker_(getpid())
     folder = testing::TempDir() + "claque-faults-" + std::to_string(getpid()) + "/";
     std::filesystem::create_directories(folder);
     make_crowds();
+    record = recorded_run(test);
     make_assets();
     make_renderers();
 }

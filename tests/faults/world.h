@@ -51,7 +51,7 @@ public:
     clq_layer layer = {0};                            // of objects.actor
     bool sees_assets = false, builds_assets = false;  // which takes longer
     clq_asset *person = nullptr, *twin = nullptr, *shapes = nullptr, *walk = nullptr, *painted = nullptr;
-    std::vector<unsigned char> file, toml, saved_crowd, saved_template;
+    std::vector<unsigned char> file, toml, saved_crowd, saved_template, record;
     std::string folder;                      // of files
     uint32_t zone_image = 0, materials = 0;  // an image of `painted`; materials of `person`
     clq_status paint(clq_asset *asset, uint32_t image) const;
@@ -67,6 +67,9 @@ private:
 
     int maker_;  // the process that removes the folder
 };
+
+// Of a crowd with everything, and of actors that come.
+std::vector<unsigned char> recorded_run(TestWorld &test);
 
 uint64_t hash_of(const void *bytes, size_t count);
 uint64_t hash_of(const std::string &text);

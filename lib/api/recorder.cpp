@@ -1,0 +1,195 @@
+#include "lib/api/recorder.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "lib/api/boundary.h"
+#include "lib/record/crowd_def.h"
+
+namespace claque::api
+{
+
+using base::fail;
+using record::Kind;
+
+Recorder::Recorder(const clq_crowd &crowd, const clq_recording_def &def)
+    : crowd_(crowd),
+      def_(def),
+      blocks_(&crowd.context->memory),
+      templates_(&crowd.context->memory),
+      locomotions_(&crowd.context->memory),
+      tracks_(&crowd.context->memory),
+      info_(clq_recording_info_init())
+{
+}
+
+void Recorder::begin()
+{
+    uint8_t header[record::file_header_bytes] = {};
+    std::copy(std::begin(record::magic), std::end(record::magic), header);
+    header[8] = record::version;
+    blocks_.entry(Kind::crowd_def, [&](crowd::Writer &out) { record::walk_crowd_def(out, crowd_.def); });
+    state(Kind::state);
+    give(header, sizeof header);
+    flush();
+}
+
+void Recorder::step(double time_s) noexcept
+{
+    guarded([&] {
+        if (written() - state_end_ >= std::max(def_.key_bytes, state_bytes_))
+            state(Kind::key_state), ++info_.key_states;
+        blocks_.entry(Kind::step, [&](crowd::Writer &out) { out.value(time_s); });
+        ++info_.steps;
+        flush();
+    });
+}
+
+void Recorder::end() noexcept
+{
+    guarded([&] {
+        blocks_.entry(Kind::end, [](crowd::Writer &) {});
+        flush();
+    });
+}
+
+clq_recording_info Recorder::info() const
+{
+    clq_recording_info out = info_;
+    out.tracks = tracks_.size();
+    out.held_bytes = blocks_.held_bytes();
+    return out;
+}
+
+void Recorder::stop(clq_status status, const char *text) noexcept
+{
+    info_.status = status;
+    std::snprintf(info_.text, sizeof info_.text, "%s", text);
+    char warning[300];
+    std::snprintf(warning, sizeof warning, "the recording of a crowd has ended: %s", info_.text);
+    crowd_.context->log.warn(warning);
+}
+
+void Recorder::flush()
+{
+    const model::Array<uint8_t> &block = blocks_.sealed();
+    give(block.data(), block.size());
+    blocks_.clear();
+}
+
+void Recorder::give(const uint8_t *bytes, size_t size)
+{
+    if (!host_takes(def_.write, def_.user, bytes, size))
+        fail(CLQ_IO, "the writer refused %zu bytes of a record, after %llu that it took", size, base::big(info_.bytes));
+    info_.bytes += size;
+}
+
+uint32_t Recorder::number_of(const model::Template &tmpl)
+{
+    const auto found = std::find(templates_.begin(), templates_.end(), &tmpl);
+    const uint32_t number = static_cast<uint32_t>(found - templates_.begin());
+    if (found != templates_.end()) return number;
+    blocks_.entry(Kind::tmpl, [&](crowd::Writer &out) {
+        out.value(crowd::structure_hash(tmpl));
+        for (const char c : tmpl.name) out.value(c);
+    });
+    templates_.push_back(&tmpl);
+    return number;
+}
+
+uint32_t Recorder::number_of(const track::Locomotion &locomotion)
+{
+    const Key key(track::hash_of(locomotion), locomotion.tmpl);
+    if (const auto found = locomotions_.find(key); found != locomotions_.end()) return found->second;
+    const uint32_t number = static_cast<uint32_t>(locomotions_.size());
+    if (number >= record::max_locomotions)
+        fail(CLQ_LIMIT, "a record has at most %u locomotions", record::max_locomotions);
+    const uint32_t tmpl = number_of(*locomotion.tmpl);
+    blocks_.entry(Kind::locomotion, [&](crowd::Writer &out) {
+        const track::LocomotionClips &clips = locomotion.clips;
+        out.value(tmpl), out.value(clips.walk), out.value(clips.run), out.value(clips.idle_count);
+        for (const uint32_t idle : clips.idles) out.value(idle);
+        for (const auto &leg : clips.legs)
+            for (const uint32_t node : leg) out.value(node);
+    });
+    locomotions_.emplace(key, number);
+    return number;
+}
+
+uint32_t Recorder::number_of(const track::Track &track)
+{
+    const Key key(track.hash, track.locomotion->tmpl);
+    if (const auto found = tracks_.find(key); found != tracks_.end()) return found->second;
+    const uint32_t locomotion = number_of(*track.locomotion), number = static_cast<uint32_t>(tracks_.size());
+    model::Array<uint8_t> bytes(&crowd_.context->memory);
+    track::save(track, bytes);
+    blocks_.entry(Kind::track, [&](crowd::Writer &out) {
+        out.value(locomotion);
+        out.flush();
+        blocks_.take(bytes.data(), bytes.size());
+    });
+    tracks_.emplace(key, number);
+    return number;
+}
+
+void Recorder::create(const clq_actor_def &def, clq_actor made)
+{
+    call(record::ActorCreate{number_of(*def.tmpl), def.transform, def.play, def.seed, def.texture_set, made});
+}
+
+void Recorder::follow(clq_actor actor, const clq_track &track, double start_s)
+{
+    call(record::ActorFollowTrack{actor, number_of(static_cast<const track::Track &>(track)), start_s});
+}
+
+void Recorder::transforms(const clq_actor *actors, const clq_transform *places, uint32_t count)
+{
+    blocks_.transforms(actors, places, count);
+    ++info_.calls;
+}
+
+void Recorder::colours(const clq_actor *actors, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; ++i) {
+        const uint32_t row = crowd_.crowd.row_of(id_of(actors[i]));
+        const uint8_t *rgb = crowd_.crowd.zone_rgb(row);
+        if (!rgb) continue;  // a template without zones
+        blocks_.entry(Kind::actor_colours, [&](crowd::Writer &out) {
+            record::walk_id(out, actors[i]);
+            for (uint32_t k = 0; k < 3 * crowd_.crowd.template_of(row).zone_count(); ++k) out.value(rgb[k]);
+        });
+        ++info_.calls;
+    }
+}
+
+void Recorder::state(Kind kind)
+{
+    const crowd::Crowd &crowd = crowd_.crowd;
+    for (const model::Template *tmpl : crowd.templates()) number_of(*tmpl);
+    for (uint32_t row = 0; row < crowd.row_count(); ++row) {
+        const crowd::Follow *follow = crowd.alive(row) ? crowd.follows().of(row) : nullptr;
+        if (!follow) continue;
+        number_of(*follow->track);
+        for (const track::Track *earlier : follow->earlier)
+            if (earlier) number_of(*earlier);
+    }
+    const size_t before = blocks_.contents_size();
+    blocks_.entry(kind, [&](crowd::Writer &out) {
+        out.count(crowd.templates().count);
+        for (const model::Template *tmpl : crowd.templates()) out.value(number_of(*tmpl));
+        out.flush();
+        crowd::save(crowd, blocks_);
+    });
+    state_bytes_ = blocks_.contents_size() - before;
+    state_end_ = written();
+}
+
+void end_recording(clq_crowd *crowd) noexcept
+{
+    if (!crowd->recorder) return;
+    crowd->recorder->end();
+    unmake(crowd->context, crowd->recorder);
+    crowd->recorder = nullptr;
+}
+
+}  // namespace claque::api
