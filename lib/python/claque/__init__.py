@@ -9,12 +9,12 @@ from .abi import Error, Status, library_paths
 from .context import Context
 from .crowd import Actor, Crowd, View
 from .offscreen import Offscreen
+from .records import Record
 from .renderer import Renderer
 from .scene import Scene
 from .template import Template
 from .tracks import Locomotion, Track, Tracks
 from .trajectories import Area, Trajectories
 
-__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Renderer", "Scene", "Status",
-           "Template",
-           "Track", "Tracks", "Trajectories", "View", "library_paths"]
+__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer", "Scene",
+           "Status", "Template", "Track", "Tracks", "Trajectories", "View", "library_paths"]

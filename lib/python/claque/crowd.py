@@ -1,10 +1,10 @@
 """Crowds, their actors, and views of them (claque/crowd.h, view.h, drawn_actor.h)."""
 
-from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p
+from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p, string_at
 
 import numpy
 
-from . import abi
+from . import abi, abi_records
 from .memory import borrowed, read_only
 from .owner import Owned, made
 
@@ -60,10 +60,9 @@ class Crowd(Owned):
 
     _destroy = "clq_crowd_destroy"
 
-    def __init__(self, context):
-        super().__init__(made("clq_crowd_create", abi.call, context.handle, None), context)
-        self._views = []
-        self._scenes = []
+    def __init__(self, context, definition=None):
+        super().__init__(made("clq_crowd_create", abi.call, context.handle, definition and byref(definition)), context)
+        self._views, self._scenes, self._recording = [], [], None
 
     def add(self, template, position=(0, 0, 0), heading_rad=0.0, scale=1.0, clip=None, start_s=0.0, speed=1.0,
             phase_s=0.0, seed=0, texture_set=0, colours=True):
@@ -101,10 +100,50 @@ class Crowd(Owned):
         pointers = (c_void_p * len(views))(*[view.handle for view in views])
         abi.call("clq_crowd_update", self.handle, c_double(time_s), pointers, c_uint32(len(views)))
 
+    def record(self, path, key_bytes=65536):
+        """Records the crowd to a file until end_record() or close(). claque.Record plays it."""
+        file = open(path, "wb", buffering=0)
+
+        def take(_, data, size):
+            try:
+                return 0 if file.write(string_at(data, size)) == size else 1
+            except (OSError, ValueError):
+                return 1
+
+        definition = abi_records.RecordingDef(write=abi_records.Write(take), key_bytes=key_bytes)
+        try:
+            abi.call("clq_crowd_begin_recording", self.handle, byref(definition))
+        except abi.Error:
+            file.close()
+            raise
+        self._recording = (definition, file)
+
+    @property
+    def recording(self):
+        """The clq_recording_info: how the recording goes."""
+        out = abi_records.RecordingInfo()
+        abi.call("clq_crowd_get_recording", self.handle, byref(out))
+        return out
+
+    def end_record(self):
+        """Ends the recording. Returns its clq_recording_info; raises Error if it has failed."""
+        out = abi_records.RecordingInfo()
+        try:
+            abi.call("clq_crowd_end_recording", self.handle, byref(out))
+        finally:
+            self._close_record()
+        return out
+
+    def _close_record(self):
+        recording, self._recording = getattr(self, "_recording", None), None
+        if recording:
+            recording[1].close()
+
     def close(self):
         for child in getattr(self, "_views", []) + getattr(self, "_scenes", []):
             child._pointer = None  # destroyed with their crowd
         super().close()
+        self._close_record()
 
 
 class View(Owned):
