@@ -77,6 +77,7 @@ function(claque_sources_hash function out)
     file(GLOB_RECURSE makers CONFIGURE_DEPENDS
         ${PROJECT_SOURCE_DIR}/lib/*.h ${PROJECT_SOURCE_DIR}/lib/*.cpp ${PROJECT_SOURCE_DIR}/meshsplit/*.h
         ${PROJECT_SOURCE_DIR}/meshsplit/*.cpp)
+    list(FILTER makers EXCLUDE REGEX "/lib/stage/")
     set(made ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
     add_custom_command(OUTPUT ${made}
         COMMAND ${CMAKE_COMMAND} -DSOURCE_DIR=${PROJECT_SOURCE_DIR} -DOUT=${made} -DFUNCTION=${function}

@@ -1,5 +1,5 @@
 # `make install`: headers, libraries, the claque command with its manual, pkg-config and CMake packages; and what goes
-# into which Debian package (cmake/package.cmake): components runtime, assets, dev, command.
+# into which Debian package (cmake/package.cmake): components runtime, assets, stage, dev, command.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY include/claque TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN "*.h")
@@ -22,4 +22,7 @@ if(CLAQUE_ASSETS)
     list(TRANSFORM decoders PREPEND "-l")
     list(JOIN decoders " " decoders)
     claque_pc(claque-assets "Characters for claque: glTF files and built-in figures" claque "-lOpenMeshTools -lOpenMeshCore ${decoders} -lstdc++ -lm")
+endif()
+if(CLAQUE_STAGE)
+    claque_pc(claque-stage "People who decide, for claque: state machines, a scheduler, flows" claque "-lstdc++ -lm")
 endif()

@@ -42,7 +42,7 @@ typedef struct clq_stage_def {
     uint32_t struct_bytes; /* set by clq_stage_def_init */
     clq_stage_mode mode;
     uint64_t seed;                       /* of all random choices on this stage */
-    double start_s;                      /* what is decided begins after this time. Finite */
+    double start_s;                      /* [-1e9, 1e9] what is decided begins after this time */
     double tick_s;                       /* [0.001, 10] default 0.05 */
     uint32_t budget;                     /* REPRODUCIBLE: cost of the tasks of one tick; 0: no limit */
     float budget_us;                     /* [>= 0] LIVE: microseconds of one tick; 0: no limit */
