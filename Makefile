@@ -100,6 +100,7 @@ bench: build
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_impostor_bench
 	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
+	$(BUILD)/tests/bench/claque_stage_bench
 	@mkdir -p out
 	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
@@ -128,6 +129,7 @@ golden-accept: build
 abi-accept: build
 	tests/abi/list.sh $(BUILD)/lib/api/libclaque.so > tests/abi/libclaque.abi
 	tests/abi/list.sh $(BUILD)/lib/api/assets/libclaque-assets.so > tests/abi/libclaque-assets.abi
+	tests/abi/list.sh $(BUILD)/lib/stage/libclaque-stage.so > tests/abi/libclaque-stage.abi
 
 install: build
 	@cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)

@@ -1,7 +1,7 @@
 /* claque: conventions, statuses, host services. Every other header includes this one.
  *
  * The headers are C99 and C++. libclaque is what claque/claque.h includes; libclaque-assets is claque/assets.h,
- * trajectories.h, levels.h, zones.h, prepare.h and colour_files.h.
+ * trajectories.h, levels.h, zones.h, prepare.h and colour_files.h; libclaque-stage is claque/stage.h and agents.h.
  *
  * Calls. A call that can fail returns a clq_status. A failed call leaves everything as it was, except where its comment
  * says otherwise; clq_last_error() then holds one sentence that names the broken rule, with names and numbers. A

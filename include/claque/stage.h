@@ -1,9 +1,9 @@
-/* clq_stage: people that decide (libclaque-stage, S1 2.1-2.2, S2 3.2). A stage runs state machines for agents and tells a
- * crowd's actors what to do, through claque's public calls alone, as any host could.
+/* clq_stage: people that decide (libclaque-stage, S1 2.1-2.2, S2 3.2). A stage runs state machines for agents and tells
+ * a crowd's actors what to do, through claque's public calls alone, as any host could.
  *
  * Flows. Decisions (clq_stage_step) and drawing (clq_stage_apply, then clq_crowd_update) may run on two threads, and
- * scripts (clq_stage_send) on others; or all in turn on one. Each flow has one thread at a time. Between them are a list
- * of commands with times, which never blocks, and an inbox for what is sent, whose lock is held for an instant and
+ * scripts (clq_stage_send) on others; or all in turn on one. Each flow has one thread at a time. Between them are a
+ * list of commands with times, which never blocks, and an inbox for what is sent, whose lock is held for an instant and
  * which the drawing flow never takes. Decisions run ahead of the time shown by a lead, say a second, so a slow decision
  * delays no frame. The library has no thread of its own.
  *
@@ -16,9 +16,9 @@
  * CLQ_STAGE_LIVE alone also depends on the speed of the machine.
  *
  * Tasks. What wakes an agent is a task: an event, a time, the end of a clip, a marker, a check. Nothing is asked every
- * frame. A task has a priority class, 0 (first) to 3, a time at which it is due, and a cost that its machine declares. A
- * tick has a budget. Tasks that it leaves over are run by later ticks and are late. Each class is guaranteed a share of
- * the budget, so no class starves: the oldest task of a class waits for at most
+ * frame. A task has a priority class, 0 (first) to 3, a time at which it is due, and a cost that its machine declares.
+ * A tick has a budget. Tasks that it leaves over are run by later ticks and are late. Each class is guaranteed a share
+ * of the budget, so no class starves: the oldest task of a class waits for at most
  *     ceil(cost / (share * budget)) + 3 ticks.
  *
  * GL: none. */

@@ -2,8 +2,8 @@
 // of tracks. It works in the decisions' flow only, called by one thread at a time, and never sees a crowd: the stage
 // hands the pieces to the flow that draws.
 //
-// Times are those of the stage. Everything up to the time decided is final: a Movement never changes a piece that it has
-// published, and what it publishes is a function of the calls that it got, never of threads or of the time of day.
+// Times are those of the stage. Everything up to the time decided is final: a Movement never changes a piece that it
+// has published, and what it publishes is a function of the calls that it got, never of threads or of the time of day.
 #pragma once
 
 #include <claque/track.h>
@@ -82,8 +82,8 @@ public:
     virtual void go(AgentIndex agent, const Goal &goal, double at_s) = 0;
     virtual void stop(AgentIndex agent, double at_s) = 0;
 
-    // Decides everything up to until_s, the end of the stage's next tick: appends the pieces that begin, and the answers
-    // that come, after the last advance and up to until_s. If it throws, the Movement is as it was.
+    // Decides everything up to until_s, the end of the stage's next tick: appends the pieces that begin, and the
+    // answers that come, after the last advance and up to until_s. If it throws, the Movement is as it was.
     virtual void advance(double until_s, Moved &out) = 0;
 
     // Where an agent is, at a time up to the last advance's until_s and at most a second before it.

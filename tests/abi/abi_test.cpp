@@ -51,5 +51,6 @@ void expect_as_listed(const std::string &file, const std::string &library)
 
 TEST(Abi, OfLibclaqueIsTheOneThatIsListed) { expect_as_listed("libclaque.abi", CLAQUE_LIBRARY); }
 TEST(Abi, OfLibclaqueAssetsIsTheOneThatIsListed) { expect_as_listed("libclaque-assets.abi", CLAQUE_ASSETS_LIBRARY); }
+TEST(Abi, OfLibclaqueStageIsTheOneThatIsListed) { expect_as_listed("libclaque-stage.abi", CLAQUE_STAGE_LIBRARY); }
 
 }  // namespace

@@ -41,21 +41,23 @@ bool forbidden(const std::string &name)
 
 TEST(Symbols, TheLibrariesExportTheCApiAndNothingElse)
 {
-    for (const char *library : {CLAQUE_LIBRARY, CLAQUE_ASSETS_LIBRARY}) {
+    for (const char *library : {CLAQUE_LIBRARY, CLAQUE_ASSETS_LIBRARY, CLAQUE_STAGE_LIBRARY}) {
         const std::vector<std::string> names = symbols(library, "--defined-only");
         ASSERT_FALSE(names.empty()) << library;
         for (const std::string &name : names) EXPECT_EQ(name.rfind("clq_", 0), 0u) << name << " of " << library;
     }
 }
 
-TEST(Symbols, LibclaqueImportsNoGlNoPrintingNoExit)
+TEST(Symbols, TheRunTimeLibrariesImportNoGlNoPrintingNoExit)
 {
     if (CLAQUE_SANITIZED) GTEST_SKIP() << "sanitizers bring their own imports";
-    const std::vector<std::string> names = symbols(CLAQUE_LIBRARY, "--undefined-only");
-    ASSERT_FALSE(names.empty());
-    for (const std::string &line : names) {
-        const std::string name = line.substr(0, line.find(' '));
-        EXPECT_FALSE(forbidden(name)) << name;
+    for (const char *library : {CLAQUE_LIBRARY, CLAQUE_STAGE_LIBRARY}) {
+        const std::vector<std::string> names = symbols(library, "--undefined-only");
+        ASSERT_FALSE(names.empty());
+        for (const std::string &line : names) {
+            const std::string name = line.substr(0, line.find(' '));
+            EXPECT_FALSE(forbidden(name)) << name << " of " << library;
+        }
     }
     EXPECT_TRUE(forbidden("glBegin") && forbidden("printf") && forbidden("exit"));
     EXPECT_FALSE(forbidden("snprintf") || forbidden("memcpy"));

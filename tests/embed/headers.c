@@ -2,6 +2,7 @@
 #include <claque/claque.h>
 #include <claque/drawn_actor.h>
 #include <claque/mesh.h>
+#include <claque/stage.h>
 
 /* Twice, so that guards are tried as well. */
 #include <claque/claque.h>

@@ -219,7 +219,7 @@ const std::vector<Call> &calls()
     static const std::vector<Call> all = [] {
         std::vector<Call> made;
         add_template_calls(made), add_asset_calls(made), add_people_calls(made), add_walking_calls(made),
-            add_record_calls(made), add_other_calls(made);
+            add_record_calls(made), add_stage_calls(made), add_other_calls(made);
         return made;
     }();
     return all;

@@ -31,6 +31,7 @@ void add_asset_calls(std::vector<Call> &all);
 void add_people_calls(std::vector<Call> &all);
 void add_record_calls(std::vector<Call> &all);
 void add_template_calls(std::vector<Call> &all);
+void add_stage_calls(std::vector<Call> &all);
 void add_walking_calls(std::vector<Call> &all);
 void add_other_calls(std::vector<Call> &all);
 

@@ -36,6 +36,12 @@ void add_descriptions(std::vector<Seed> &out)
                       "colour = \"#2a1a10\", weight = 3 } ] }\nbelt = { linked_to = \"hair\", "
                       "variation = 0.1 }\n")})
         out.push_back({"toml", std::to_string(out.size()), Bytes(text.begin(), text.end())});
+    const std::string machine =
+        "machine = \"m\"\n[variables]\nn = 0\n[events]\ngo = 1\n[states.a]\ninitial = true\n"
+        "enter = [ { play = \"bend\", fade = 0.2 }, { send = \"go\", radius = 5, delay = 0.1 } ]\n"
+        "transitions = [ { end = true, before = 0.2, to = \"b\" }, { if = \"n > 3\", to = \"b\" } ]\n[states.b]\n"
+        "transitions = [ { after = [0.1, 0.3], to = \"a\", do = [ { set = \"n\", to = \"n + 1\" } ] } ]\n";
+    out.push_back({"machine", "two states", Bytes(machine.begin(), machine.end())});
 }
 
 void add_crowds(std::vector<Seed> &out)

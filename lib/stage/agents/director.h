@@ -1,7 +1,7 @@
 // Decides: runs the tasks of all agents, tick by tick, and hands the commands to the drawing flow.
 //
-// A tick is a row of steps, each of which either happens as a whole or not at all; an exception leaves the tick where it
-// is, and the next call of step() goes on from there.
+// A tick is a row of steps, each of which either happens as a whole or not at all; an exception leaves the tick where
+// it is, and the next call of step() goes on from there.
 #pragma once
 
 #include <claque/stage.h>

@@ -63,12 +63,19 @@ void Director::publish()
 uint32_t Director::add_agent(Agent &&agent, const std::string &agent_class, double start_s)
 {
     const auto index = static_cast<uint32_t>(agents.size());
-    const uint32_t of_class = shared.add_class(agent_class);
+    std::string name = agent_class;
+    uint32_t of_class = shared.find_class(agent_class);
+    const bool is_new = of_class == none;
+    if (is_new) {
+        of_class = static_cast<uint32_t>(shared.classes.size());
+        shared.classes.reserve(shared.classes.size() + 1);
+    }
     agent.agent_class = of_class;
     agents.reserve(index + 1 > agents.capacity() ? 2 * size_t(index) + 16 : 0);
     scheduler.reserve(1);
     inbox.change([&](Inbox::Directory &directory) {
-        directory.shared.add_class(agent_class);
+        directory.machine_of_agent.reserve(index + 1 > directory.machine_of_agent.capacity() ? 2 * index + 16 : 0);
+        if (is_new) directory.shared.classes.push_back(agent_class);
         directory.machine_of_agent.push_back(agent.machine);
     });
     const bool walks = agent.is_walker;
@@ -85,10 +92,14 @@ uint32_t Director::add_agent(Agent &&agent, const std::string &agent_class, doub
         }
     } catch (...) {
         neighbours.remove(index);
-        inbox.change([&](Inbox::Directory &directory) { directory.machine_of_agent.pop_back(); });
+        inbox.change([&](Inbox::Directory &directory) {
+            directory.machine_of_agent.pop_back();
+            if (is_new) directory.shared.classes.pop_back();
+        });
         throw;
     }
     agents.push_back(std::move(agent));
+    if (is_new) shared.classes.push_back(std::move(name));
     Task begin;
     begin.kind = TaskKind::begin;
     begin.agent = index;

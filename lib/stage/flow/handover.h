@@ -21,8 +21,8 @@ public:
     // The writer. If it throws, nothing has changed; otherwise `commands` is empty afterwards.
     void publish(std::vector<Command> &commands, double decided_s);
 
-    // The reader: the oldest command up to a time; NULL: there is none. pop() ends it, and its hold of a track goes to the
-    // caller.
+    // The reader: the oldest command up to a time; NULL: there is none. pop() ends it, and its hold of a track goes to
+    // the caller.
     Command *front(double time_s);
     void pop() { ++read_; }
 

@@ -19,16 +19,15 @@ void Shown::clear()
     masks.clear();
 }
 
-Shown::Row &Shown::row_of(uint32_t agent)
+// Makes room, before anything is done.
+void Shown::make_row(uint32_t agent)
 {
     if (rows.size() <= agent) rows.resize(agent + 1);
-    return rows[agent];
 }
 
 void Shown::apply(Handover &from, clq_crowd *crowd, double time_s, clq_stage_applied &out)
 {
     while (Command *command = from.front(time_s)) {
-        row_of(command->agent);
         const clq_status status = give(*command, crowd, out);
         if (status == CLQ_OUT_OF_MEMORY || status == CLQ_BUSY) throw Error(status, clq_last_error());
         if (status != CLQ_OK) {
@@ -55,8 +54,10 @@ clq_status Shown::give(Command &command, clq_crowd *crowd, clq_stage_applied &ou
         case CommandKind::fade:
             return fade(command, crowd, out);
         case CommandKind::gesture:
+            make_row(command.agent);
             return gesture(command, crowd);
         case CommandKind::end_gesture:
+            make_row(command.agent);
             return end_gesture(command, crowd);
         case CommandKind::walk_on:
             return clq_actor_fade_to_track(crowd, command.actor, command.at_s, command.fade_s);
@@ -65,6 +66,7 @@ clq_status Shown::give(Command &command, clq_crowd *crowd, clq_stage_applied &ou
         case CommandKind::look_away:
             return clq_actor_gaze(crowd, command.actor, command.gaze, nullptr, command.at_s);
         default:
+            make_row(command.agent);
             return follow(command, crowd);
     }
 }

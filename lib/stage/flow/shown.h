@@ -44,7 +44,7 @@ private:
     clq_status follow(Command &command, clq_crowd *crowd);
     clq_status find_mask(const Command &command, clq_crowd *crowd, clq_mask &out);
     void call(const Command &command, clq_crowd *crowd);
-    Row &row_of(uint32_t agent);
+    void make_row(uint32_t agent);
 
     clq_context *context_;
 };

@@ -156,7 +156,8 @@ struct CastDef {
     const clq_locomotion *locomotion = nullptr;
 };
 
-// Reads a machine. Throws Error: FORMAT with name, line, column and rule, or LIMIT. `shared` may have got new names then.
+// Reads a machine. Throws Error: FORMAT with name, line, column and rule, or LIMIT. `shared` may have got new names
+// then.
 std::unique_ptr<Machine> read_machine(std::string_view text, const std::string &name, const std::vector<CastDef> &casts,
                                       Vocabulary &shared);
 

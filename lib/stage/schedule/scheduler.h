@@ -1,7 +1,7 @@
 // The scheduler of S1 2.2. Tasks wait for their time in a heap; when they are due they queue in their priority class,
-// first in, first out, and the tick's budget decides which of them run. Every class earns a share of each budget, so that
-// the oldest task of a class waits for at most ceil(cost / (share * budget)) + 3 ticks, whatever the others do: once its
-// credit pays for it, each other class can be served at most once before it.
+// first in, first out, and the tick's budget decides which of them run. Every class earns a share of each budget, so
+// that the oldest task of a class waits for at most ceil(cost / (share * budget)) + 3 ticks, whatever the others do:
+// once its credit pays for it, each other class can be served at most once before it.
 //
 // A tick may be cut short by an exception of a task: its work is then undone, it stays first in its class, and the next
 // call of run() goes on where the tick was.

@@ -17,8 +17,10 @@ call = 1
 pass = 1
 [states.a]
 transitions = [
-    { on = "call", do = [ { set = "heard", to = "heard + 1" }, { set = "last", to = "value" }, { set = "far", to = "distance" } ] },
-    { on = "pass", do = [ { send = "call", radius = 5, class = "owl", delay = 0.2, value = "value + 1", per_m = 0.1 } ] },
+    { on = "call", do = [
+        { set = "heard", to = "heard + 1" }, { set = "last", to = "value" }, { set = "far", to = "distance" } ] },
+    { on = "pass", do = [ 
+        { send = "call", radius = 5, class = "owl", delay = 0.2, value = "value + 1", per_m = 0.1 } ] },
 ]
 )toml";
 
@@ -130,7 +132,8 @@ machine = "m"
 [variables]
 log = 0.0
 [states.a]
-transitions = [ { on = "seen", do = [ { set = "log", to = "10 * log + 1" } ] }, { on = "unseen", do = [ { set = "log", to = "10 * log + 2" } ] } ]
+transitions = [ { on = "seen", do = [ { set = "log", to = "10 * log + 1" } ] },
+    { on = "unseen", do = [ { set = "log", to = "10 * log + 2" } ] } ]
 )toml"));
     double at_s = 0.1;
     for (const bool in_view : {true, false, false, true}) {

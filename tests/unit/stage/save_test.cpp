@@ -20,12 +20,15 @@ initial = true
 transitions = [ { on = "wave", if = "random(0, 1) < 0.7", to = "down" } ]
 [states.up.states.one]
 initial = true
-enter = [ { play = ["slow", "fast"], speed = [0.8, 1.2], fade = 0.2 }, { send = "wave", radius = 3, delay = [0, 1], per_m = 0.1 } ]
-while = { every = [0.2, 0.6], do = [ { gesture = "wave", mask = "hand", loops = 0 }, { set = "n", to = "n + random(0, 2)" } ] }
+enter = [ { play = ["slow", "fast"], speed = [0.8, 1.2], fade = 0.2 },
+    { send = "wave", radius = 3, delay = [0, 1], per_m = 0.1 } ]
+while = { every = [0.2, 0.6], do = [ { gesture = "wave", mask = "hand", loops = 0 },
+    { set = "n", to = "n + random(0, 2)" } ] }
 transitions = [ { end = true, before = 0.2, to = "two" }, { if = 'count("", 4) > 5 and n > 3', to = "two" } ]
 [states.up.states.two]
 enter = [ { end_gesture = true }, { set = "crowd.mood", to = "crowd.mood + 1" } ]
-transitions = [ { after = [0.3, 2], to = "one" }, { marker = "down", do = [ { set = "n", to = 0 } ] }, { if = "crowd.mood > 40", to = "down" } ]
+transitions = [ { after = [0.3, 2], to = "one" }, { marker = "down", do = [ { set = "n", to = 0 } ] },
+    { if = "crowd.mood > 40", to = "down" } ]
 [states.down]
 enter = [ { play = "bent", fade = 0.1 } ]
 transitions = [ { after = [1, 2], to = "up", history = "deep" }, { on = "calm", to = "up" } ]

@@ -1,5 +1,12 @@
 #include "tests/unit/stage/stage_world.h"
 
+std::string machine_text(const std::string &rest)
+{
+    return "machine = \"m\"\n[variables]\nn = 0.0\nlog = 0.0\nopen = false\n[crowd]\nmood = 0.0\n"
+           "[events]\ngo = 0\nback = 1\nslow = 2\n" +
+           rest;
+}
+
 StageWorld::StageWorld(const clq_stage_def *def)
 {
     EXPECT_EQ(clq_stage_create(arm.context, def, &stage), CLQ_OK) << clq_last_error();

@@ -9,6 +9,9 @@
 
 #include "tests/api/arm.h"
 
+// A machine with some names declared, and the rest of its text.
+std::string machine_text(const std::string &rest);
+
 class StageWorld
 {
 public:
