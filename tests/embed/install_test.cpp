@@ -38,7 +38,7 @@ protected:
     Scratch home_;
 };
 
-TEST_F(Install, BringsEveryHeaderAndBothLibraries)
+TEST_F(Install, BringsEveryHeaderAndEachLibrary)
 {
     int headers = 0;
     for (const auto &file : fs::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
@@ -47,7 +47,7 @@ TEST_F(Install, BringsEveryHeaderAndBothLibraries)
         ++headers;
     }
     EXPECT_GT(headers, 15);
-    for (const std::string name : {"claque", "claque-assets"}) {
+    for (const std::string name : {"claque", "claque-assets", "claque-stage"}) {
         const std::string library = prefix() + "/lib/lib" + name;
         EXPECT_TRUE(fs::is_regular_file(library + ".a"));
         EXPECT_EQ(fs::read_symlink(library + ".so"), "lib" + name + ".so." + CLAQUE_SOVERSION);
@@ -74,8 +74,9 @@ TEST_F(Install, GoesBelowDestdirAndIsFoundWhereItWillBe)
     const auto [code, said] = home_.run(make("install DESTDIR='" + home_.path() + "/stage' PREFIX=/opt/claque"));
     ASSERT_EQ(code, 0) << said;
     EXPECT_EQ(
-        printed("PKG_CONFIG_PATH=stage/opt/claque/lib/pkgconfig pkg-config --variable=prefix claque claque-assets"),
-        "/opt/claque /opt/claque\n");
+        printed("PKG_CONFIG_PATH=stage/opt/claque/lib/pkgconfig pkg-config --variable=prefix claque claque-assets "
+                "claque-stage"),
+        "/opt/claque /opt/claque /opt/claque\n");
     EXPECT_EQ(printed("cd prefix && find . | sort > ../a; cd ../stage/opt/claque && find . | sort | diff ../../../a -"),
               "");
 }

@@ -6,7 +6,7 @@
 namespace
 {
 
-TEST(Package, IsFourThatUnpackedTogetherRun)
+TEST(Package, IsFiveThatUnpackedTogetherRun)
 {
     if (!has_command("dpkg-shlibdeps")) GTEST_SKIP() << "needs dpkg-shlibdeps (dpkg-dev)";
     if (*CLAQUE_CXX_FLAGS) GTEST_SKIP() << "of a build without flags of its own";
@@ -26,6 +26,7 @@ TEST(Package, IsFourThatUnpackedTogetherRun)
     const std::string exactly = " (= " CLAQUE_VERSION ")";
     says(runtime, "libstdc++6");
     says(assets, runtime + exactly);
+    says("libclaque-stage" CLAQUE_SOVERSION, runtime + exactly);
     says(assets, "libopenmesh");
 #ifdef CLAQUE_HAS_DRACO
     says(assets, "libdraco");
