@@ -12,9 +12,10 @@ from .offscreen import Offscreen
 from .records import Record
 from .renderer import Renderer
 from .scene import Scene
+from .stage import Agent, Stage
 from .template import Template
 from .tracks import Locomotion, Track, Tracks
 from .trajectories import Area, Trajectories
 
-__all__ = ["Actor", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer", "Scene",
-           "Status", "Template", "Track", "Tracks", "Trajectories", "View", "library_paths"]
+__all__ = ["Actor", "Agent", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer",
+           "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View", "library_paths"]

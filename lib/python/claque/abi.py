@@ -237,9 +237,9 @@ def _folders():
 
 
 def library_paths():
-    """Paths of libclaque and libclaque-assets: in the folders of CLAQUE_LIBRARY_DIR, then by the system's search."""
+    """Paths of libclaque, libclaque-assets and libclaque-stage: in the folders of CLAQUE_LIBRARY_DIR, then by the system's search."""
     found = []
-    for stem in ("claque", "claque-assets"):
+    for stem in ("claque", "claque-assets", "claque-stage"):
         here = [folder / f"lib{stem}.so" for folder in _folders() if (folder / f"lib{stem}.so").exists()]
         name = str(here[0]) if here else ctypes.util.find_library(stem)
         if not name:
@@ -254,15 +254,14 @@ class _Library:
     def __init__(self):
         paths = library_paths()
         self._core = ctypes.CDLL(paths[0], mode=ctypes.RTLD_GLOBAL)
-        self._assets = ctypes.CDLL(paths[1])
+        self._others = [ctypes.CDLL(path) for path in paths[1:]]
         self._core.clq_last_error.restype = c_char_p
         self._known = {}
 
     def function(self, name, restype=c_int):
-        try:
-            found = getattr(self._core, name)
-        except AttributeError:
-            found = getattr(self._assets, name)
+        found = next((getattr(one, name) for one in (self._core, *self._others) if hasattr(one, name)), None)
+        if not found:
+            raise AttributeError(f"no library has the function {name}")
         found.restype = restype
         return found
 
