@@ -14,7 +14,7 @@ libosmesa6 libegl1 libgl1-mesa-dri
 [ "${1:-all}" = run ] || packages="$packages
 clang-format libgtest-dev libbenchmark-dev
 libdraco-dev libmeshoptimizer-dev libwebp-dev libassimp-dev
-libexpat1-dev libsqlite3-dev zlib1g-dev
+libexpat1-dev libsqlite3-dev zlib1g-dev librecast-dev
 xvfb libglut-dev libopenscenegraph-dev
 python3-numpy python3-pytest
 "

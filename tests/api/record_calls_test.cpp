@@ -32,6 +32,8 @@ const std::map<std::string, std::string> not_recorded = {
     {"clq_renderer_draw", "draws"},
     {"clq_renderer_draw_shadows", "draws"},
     {"clq_scene_create", "scenes belong to the host that asks"},
+    {"clq_stage_apply", "makes calls that are recorded"},
+    {"clq_stage_restore", "makes tracks known, as clq_crowd_add_track"},
     {"clq_view_create", "views belong to the host that looks"},
     {"clq_view_destroy", "views belong to the host that looks"},
     {"clq_view_set_camera", "views belong to the host that looks"},

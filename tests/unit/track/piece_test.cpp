@@ -110,7 +110,13 @@ TEST(Pieces, HaveNoJumpAtTheirBorders)
 TEST(Pieces, HaveNoJumpWhereAPersonChangesItsMind)
 {
     for (const test::Way &way : test::ways()) {
-        expect_no_jump(test::Pieces(way.points, "citizen", {}, change_of_mind), way.name);
+        const test::Pieces fickle(way.points, "citizen", {}, change_of_mind);
+        expect_no_jump(fickle, way.name);
+        for (double t = 0.02; t < fickle.end_s(); t += 0.02) {
+            const glm::dvec3 d =
+                track::position_at(fickle.at(t), t) - track::position_at(fickle.at(t - 0.02), t - 0.02);
+            ASSERT_LT(std::sqrt(d.x * d.x + d.z * d.z), 0.02 * 5) << way.name << " at " << t;  // metres
+        }
         expect_no_jump(test::Pieces(way.points, "citizen", {0.5, 0, 0}), way.name);
     }
 }

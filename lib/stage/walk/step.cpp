@@ -1,0 +1,71 @@
+// One tick.
+#include <algorithm>
+#include <cmath>
+
+#include "lib/stage/walk/walkers.h"
+
+namespace claque::walk
+{
+
+namespace
+{
+
+constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
+
+float between(const float *a, const Float3 &b) { return std::hypot(a[0] - b[0], a[2] - b[2]); }
+
+}  // namespace
+
+void Walkers::step()
+{
+    const std::lock_guard<std::mutex> lock(mesh_.lock);
+    if (all_published_) pieces_.clear();
+    else publish();
+    see_doors();
+    plan_ways();
+    crowd_->update(static_cast<float>(def_.tick_s), nullptr);
+    ++ticks_;
+    for (uint32_t i = 0; i < bodies_.size(); ++i)
+        if (bodies_[i].used()) look_round(i), record(i);
+    all_published_ = false;
+    publish();
+}
+
+// Arrivals, and the end of a stay in a closed door. The walls beside a walker are looked up again in each tick: they
+// would else be those of an earlier place, and a walker would be more than what can be saved of it.
+void Walkers::look_round(uint32_t i)
+{
+    Body &body = bodies_[i];
+    dtCrowdAgent &a = agent(i);
+    a.boundary.reset();
+    if (a.params.queryFilterType == everything_filter) {
+        unsigned short flags = 0;
+        mesh_.nav->getPolyFlags(a.corridor.getFirstPoly(), &flags);
+        if (!(flags & closed_flag)) {
+            a.params.queryFilterType = open_filter;
+            if (body.state == CLQ_WALKER_WALKS)
+                body.state = CLQ_WALKER_WAITS, crowd_->resetMoveTarget(static_cast<int>(i));
+        }
+    }
+    if (body.state != CLQ_WALKER_WALKS) return;
+    if (body.complete && between(a.npos, body.goal) <= body.near_m) {
+        body.state = CLQ_WALKER_ARRIVED;
+        crowd_->resetMoveTarget(static_cast<int>(i));
+    } else if (!body.complete && between(a.npos, body.end) <= std::max(body.near_m, end_reach_m)) {
+        body.state = body.cut ? CLQ_WALKER_WAITS : CLQ_WALKER_BLOCKED;
+        crowd_->resetMoveTarget(static_cast<int>(i));
+    }
+}
+
+void Walkers::record(uint32_t i)
+{
+    Body &body = bodies_[i];
+    if (!body.locomotion) return;
+    clq_track_point point{};
+    point.time_s = time_s();
+    mesh_.world(agent(i).npos, point.position);
+    point.heading_rad = body.state == CLQ_WALKER_WALKS ? NAN : body.heading_rad;
+    body.points.push_back(point);
+}
+
+}  // namespace claque::walk

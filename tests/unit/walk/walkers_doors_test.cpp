@@ -1,0 +1,67 @@
+// Doors: who comes waits, who stands in one walks out, and nobody jumps.
+#include "tests/unit/walk/floors.h"
+
+using floors::Held;
+
+TEST(WalkersAtADoor, StopBeforeItAndGoOnWhenItOpens)
+{
+    const Held held(floors::two_rooms(true));
+    const clq_walker walker = held.add(1, 3);
+    held.go(walker, 15, 3);
+    held.step(40);
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, false), CLQ_OK);
+    held.step(200);
+    EXPECT_EQ(held.info(walker).state, CLQ_WALKER_BLOCKED);
+    EXPECT_LT(held.info(walker).position[0], 8.0);
+    EXPECT_GT(held.info(walker).position[0], 7.0);
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, true), CLQ_OK);
+    held.step(250);
+    EXPECT_EQ(held.info(walker).state, CLQ_WALKER_ARRIVED);
+    EXPECT_NEAR(held.info(walker).position[0], 15, 0.31);
+}
+
+TEST(WalkersAtADoor, WalkOutOfOneThatCloses)
+{
+    const Held held(floors::two_rooms(true));
+    const clq_walker walker = held.add(1, 3);
+    held.go(walker, 15, 3);
+    while (held.info(walker).position[0] < 8.05) held.step();
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, false), CLQ_OK);
+    clq_walker_info before = held.info(walker);
+    for (int i = 0; i < 250; ++i) {
+        held.step();
+        const clq_walker_info now = held.info(walker);
+        ASSERT_LT(floors::apart(now.position, before.position), 0.05 * 1.5) << i;  // no jump
+        before = now;
+    }
+    EXPECT_EQ(before.state, CLQ_WALKER_ARRIVED);
+    // The way back is barred.
+    held.go(walker, 1, 3);
+    held.step(250);
+    EXPECT_EQ(held.info(walker).state, CLQ_WALKER_BLOCKED);
+    EXPECT_GT(held.info(walker).position[0], 8.2);
+}
+
+TEST(WalkersAtADoor, OfACrowdAllWaitAndNoneIsInTheDoor)
+{
+    const Held held(floors::two_rooms(true));
+    std::vector<clq_walker> people;
+    for (int i = 0; i < 20; ++i) {
+        people.push_back(held.add(1 + 0.6 * (i % 5), 1 + 0.9 * (i / 5)));
+        held.go(people.back(), 14, 1 + 0.9 * (i / 5), 1.5f);
+    }
+    held.step(110);
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, false), CLQ_OK);
+    held.step(400);
+    int before = 0, behind = 0;
+    for (const clq_walker walker : people) {
+        const double x = held.info(walker).position[0];
+        before += x<7.95, behind += x> 8.25;
+    }
+    EXPECT_EQ(before + behind, 20);
+    EXPECT_GT(before, 3);
+    EXPECT_GT(behind, 0);
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, true), CLQ_OK);
+    held.step(900);
+    for (const clq_walker walker : people) EXPECT_GT(held.info(walker).position[0], 8.25);
+}
