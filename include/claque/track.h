@@ -134,6 +134,9 @@ CLQ_API clq_status clq_track_create(const clq_locomotion *locomotion, const clq_
 /* Releases the host's hold; NULL is ignored. Threads: any. */
 CLQ_API void clq_track_destroy(clq_track *track);
 
+/* Takes another hold of a track for the host, which clq_track_destroy releases. NULL is ignored. Threads: any. */
+CLQ_API void clq_track_hold(clq_track *track);
+
 typedef struct clq_track_info {
     uint32_t struct_bytes; /* set by clq_track_info_init */
     uint32_t sample_count; /* of 16 bytes, on a uniform grid */

@@ -94,6 +94,11 @@ void clq_track_destroy(clq_track *track)
     if (track) api::release(track);
 }
 
+void clq_track_hold(clq_track *track)
+{
+    if (track) api::hold(track);
+}
+
 clq_status clq_track_get_info(const clq_track *track, clq_track_info *out)
 {
     return api::boundary("clq_track_get_info", [&] {

@@ -24,8 +24,9 @@ void Walkers::publish()
         Body &body = bodies_[i];
         if (!body.used() || !body.locomotion) continue;
         // Each at a tick of its own, so that no tick makes all pieces.
-        const bool due = (ticks_ + i) % def_.piece_ticks == 0;
-        if (due && time_s() - body.piece_end_s > min_piece_s) publish(i);
+        const double elapsed_s = time_s() - body.piece_end_s, piece_s = def_.piece_ticks * def_.tick_s;
+        const bool due = (ticks_ + i) % def_.piece_ticks == 0 || elapsed_s > piece_s - 1e-9;
+        if (due && elapsed_s > min_piece_s) publish(i);
     }
     all_published_ = true;
 }
@@ -36,7 +37,7 @@ void Walkers::publish(uint32_t i)
     const size_t known = body.points.size();
     guess(i, body.points);
     // Known headings of a rest would be those of all of the piece; who walks looks where it goes.
-    if (body.state == CLQ_WALKER_WALKS)
+    if (!rests(body))
         for (clq_track_point &point : body.points) point.heading_rad = NAN;
     clq_track_def def = clq_track_def_init();
     def.points = body.points.data(), def.point_count = static_cast<uint32_t>(body.points.size());

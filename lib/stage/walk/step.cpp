@@ -64,7 +64,7 @@ void Walkers::record(uint32_t i)
     clq_track_point point{};
     point.time_s = time_s();
     mesh_.world(agent(i).npos, point.position);
-    point.heading_rad = body.state == CLQ_WALKER_WALKS ? NAN : body.heading_rad;
+    point.heading_rad = rests(body) ? body.heading_rad : NAN;
     body.points.push_back(point);
 }
 

@@ -51,7 +51,7 @@ dtCrowdAgentParams agent_of(const clq_walker_def &def)
     return params;
 }
 
-void check(const clq_walker_def &def, const clq_walkers_def &walkers)
+void check_walker(const clq_walker_def &def, const clq_walkers_def &walkers)
 {
     for (const double x : def.position)
         if (!std::isfinite(x)) fail(CLQ_ARGUMENT, "the position of a walker is not finite");
@@ -91,7 +91,7 @@ uint32_t Walkers::index_of(clq_walker id) const
 
 clq_walker Walkers::add(const clq_walker_def &def)
 {
-    check(def, def_);
+    check_walker(def, def_);
     const std::lock_guard<std::mutex> lock(mesh_.lock);
     Float3 place{};
     const dtPolyRef ref = nearest(mesh_, mesh_.local(def.position), find_reach_m, mesh_.open, place);
@@ -155,7 +155,20 @@ void Walkers::stop(clq_walker id)
 {
     const uint32_t i = index_of(id);
     bodies_[i].state = CLQ_WALKER_STANDS;
+    bodies_[i].heading_rad = NAN;
     crowd_->resetMoveTarget(static_cast<int>(i));
+}
+
+void Walkers::rest_at(clq_walker id, float heading_rad) { bodies_[index_of(id)].heading_rad = heading_rad; }
+
+void Walkers::stand_since(clq_walker id, double time_s)
+{
+    const uint32_t i = index_of(id);
+    Body &body = bodies_[i];
+    if (!body.locomotion || !(time_s < this->time_s())) return;
+    body.points.insert(body.points.begin(), body.points.back());
+    body.points.front().time_s = body.piece_end_s = time_s;
+    if (this->time_s() - time_s > 0.0999) publish(i);
 }
 
 void Walkers::get(clq_walker id, clq_walker_info &out) const

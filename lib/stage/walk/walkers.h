@@ -4,6 +4,7 @@
 
 #include <DetourCrowd.h>
 
+#include "lib/stage/save/archive.h"
 #include "lib/stage/walk/mesh.h"
 
 namespace claque::walk
@@ -41,6 +42,9 @@ struct Body {
     bool used() const { return generation & 1; }
 };
 
+// Whether it looks where it was told to.
+inline bool rests(const Body &body) { return body.state == CLQ_WALKER_STANDS || body.state == CLQ_WALKER_ARRIVED; }
+
 class Walkers
 {
 public:
@@ -55,6 +59,18 @@ public:
     void stop(clq_walker id);
     void step();
 
+    // The whole state, without locomotions: a body's is a number in a table of the caller. Pieces are saved with it.
+    void save(stage::SaveWriter &out, const std::vector<const clq_locomotion *> &locomotions) const;
+    // Throws stage::Error (FORMAT) or std::bad_alloc. It must be thrown away then. Doors move with set_doors.
+    using Doors = std::vector<uint8_t>;
+    Doors restore(stage::SaveReader &in, const std::vector<const clq_locomotion *> &locomotions);
+    void set_doors(const Doors &open) noexcept;
+    bool knows(clq_walker id) const noexcept;
+
+    uint32_t index_of(clq_walker id) const;
+    void rest_at(clq_walker id, float heading_rad);  // of a walker that arrives
+    // A walker that was added now and stood since an earlier time: its first piece, up to now.
+    void stand_since(clq_walker id, double time_s);
     double time_s() const { return def_.start_s + double(ticks_) * def_.tick_s; }
     const std::vector<clq_walker_piece> &pieces() const { return pieces_; }
     void get(clq_walker id, clq_walker_info &out) const;
@@ -62,7 +78,6 @@ public:
     const clq_walkers_def &def() const { return def_; }
 
 private:
-    uint32_t index_of(clq_walker id) const;
     dtCrowdAgent &agent(uint32_t i) const { return *crowd_->getEditableAgent(static_cast<int>(i)); }
     clq_walker id_of(uint32_t i) const { return {i + 1, bodies_[i].generation}; }
 
@@ -75,6 +90,12 @@ private:
     void record(uint32_t i);
     void publish();
     void publish(uint32_t i);
+    template <class Archive>
+    void walk_totals(Archive &archive);
+    template <class Archive>
+    void walk_body(Archive &archive, uint32_t i, const std::vector<const clq_locomotion *> &locomotions);
+    void put_back(uint32_t i, const std::vector<dtPolyRef> &path, const float *target);
+    void check_saved(uint32_t i) const;
     void guess(uint32_t i, std::vector<clq_track_point> &points) const;
 
     clq_navigation &mesh_;
@@ -88,6 +109,10 @@ private:
     uint32_t count_ = 0;
     bool all_published_ = true;  // false: memory ran out while the pieces of this tick were made
 };
+
+// A track as bytes, and back. Throw stage::Error or std::bad_alloc.
+std::vector<uint8_t> bytes_of(const clq_track *track);
+HeldTrack track_of(const clq_locomotion *locomotion, const std::vector<uint8_t> &bytes);
 
 }  // namespace claque::walk
 

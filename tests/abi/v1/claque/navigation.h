@@ -13,6 +13,7 @@
 #ifndef CLAQUE_NAVIGATION_H
 #define CLAQUE_NAVIGATION_H
 
+#include <claque/stage.h>
 #include <claque/track.h>
 
 #ifdef __cplusplus
@@ -248,6 +249,16 @@ CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
 
 /* Fails: STRUCT_SIZE, ARGUMENT. */
 CLQ_API clq_status clq_walkers_get_info(const clq_walkers *walkers, clq_walkers_info *out);
+
+/* Lets the agents of a stage walk: those whose machine and cast say so (claque/agents.h). Walkers are simulated one piece
+ * ahead of the time that is decided, so they turn to a new goal half a second later. Call it before the first agent.
+ *   navigation          held
+ *   def                 copied; start_s is that of the stage. NULL: clq_walkers_def_init()
+ *   locomotions         [locomotion_count] of all casts, in an order that is the same in each run; they live as long as
+ *                       the stage. Saved stages name them by number
+ * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: the decisions' flow. */
+CLQ_API clq_status clq_stage_set_navigation(clq_stage *stage, clq_navigation *navigation, const clq_walkers_def *def,
+                                            const clq_locomotion *const *locomotions, uint32_t locomotion_count);
 
 #ifdef __cplusplus
 }
