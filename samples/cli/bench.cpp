@@ -68,14 +68,16 @@ void bench(const BenchArguments &a)
 
 void choose_scene(BenchArguments &a)
 {
+    expect_subject(a.subject, a.setup);
     if (has_no_scene(a)) return;
+    read_scenario(a.setup);
     a.setup.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
             a.setup.scene = a.subject;
             a.setup.file.clear();
         }
-    if (a.setup.camera.empty()) a.setup.camera = has_path(a.setup) ? "path" : "overview";
+    if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
     check_scene_usage(a.setup);
 }
 
@@ -92,6 +94,20 @@ void prefer_speed(const CLI::App &command, BenchArguments &a)
     if (command.count("--flush") == 0) a.setup.flush_triangles = 16384;
 }
 
+// The numbers of people where none are given.
+void choose_counts(BenchArguments &a)
+{
+    if (a.setup.described) a.counts = {0};  // its own number
+    if (a.subject == "ten_thousand") a.counts = {100, 1000, 10000, 20000};
+    if (is_growth(a)) a.counts = {1000, 3000, 10000, 30000, 100000};
+    if (is_of_tracks(a)) a.counts = {1000, 10000};
+    if (is_of_readers(a)) a.counts = {100000};
+    if (is_of_key_poses(a)) a.counts = {a.subject == "keypose-script" ? 2500u : 10000u};
+    if (!of_actors(a)) return;
+    for (const scenes::SceneEntry &entry : scenes::scene_entries())
+        if (a.setup.scene == entry.name) a.counts = {entry.default_count};
+}
+
 }  // namespace
 
 void add_bench(CLI::App &app, Work &chosen)
@@ -100,14 +116,14 @@ void add_bench(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option(
-         "SCENE", a->subject,
-         "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
-         "--flush 16384); a character's file; growth: updates of 1000 to 100 000 actors; vertex_format: packed "
-         "vertices against floats; readers: how the time of reading grows with the counts in a file; tracks: people "
-         "who walk on tracks against "
-         "people in place; or shared "
-         "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error")
-        ->required();
+        "SCENE", a->subject,
+        "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
+        "--flush 16384); a character's file; growth: updates of 1000 to 100 000 actors; vertex_format: packed "
+        "vertices against floats; readers: how the time of reading grows with the counts in a file; tracks: people "
+        "who walk on tracks against "
+        "people in place; or shared "
+        "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error");
+    add_scenario_option(*c, a->setup);
     CLI::Option *count =
         c->add_option(
              "--count", a->counts,
@@ -126,7 +142,7 @@ void add_bench(CLI::App &app, Work &chosen)
         ->check(cache_choice)
         ->capture_default_str();
     c->add_option("--lod", a->lods,
-                  "Along the odeon's path: people with levels of detail (on), without (off), or both separated by a "
+                  "Along a theatre's path: people with levels of detail (on), without (off), or both separated by a "
                   "comma (S1 Fig. 8); with --shadows only one")
         ->delimiter(',')
         ->check(CLI::IsMember({"off", "on"}))
@@ -160,17 +176,12 @@ void add_bench(CLI::App &app, Work &chosen)
             throw CLI::ValidationError("--cull",
                                        "compares cull modes in scenes of actors: hundred_actors, town_sky, vehicle");
         if (a->lods != std::vector<std::string>{"off"} && !is_of_shadows(*a) &&
-            (a->setup.camera != "path" || scene_of(a->setup) != "odeon"))
-            throw CLI::ValidationError("--lod", "needs the odeon with a camera that follows its path");
-        if (a->subject == "ten_thousand" && count->count() == 0) a->counts = {100, 1000, 10000, 20000};
+            (a->setup.camera != "path" || !is_theatre(a->setup)))
+            throw CLI::ValidationError("--lod", "needs a theatre with a camera that follows a path");
+        if (count->count() == 0) choose_counts(*a);
+        else if (a->setup.described && a->setup.described->tracks)
+            throw CLI::ValidationError("--count", "is that of the file of trajectories where people walk on tracks");
         if (a->subject == "ten_thousand" && !is_of_shadows(*a)) prefer_speed(*c, *a);
-        if (is_growth(*a) && count->count() == 0) a->counts = {1000, 3000, 10000, 30000, 100000};
-        if (is_of_tracks(*a) && count->count() == 0) a->counts = {1000, 10000};
-        if (is_of_readers(*a) && count->count() == 0) a->counts = {100000};
-        if (is_of_key_poses(*a) && count->count() == 0) a->counts = {a->subject == "keypose-script" ? 2500u : 10000u};
-        if (of_actors(*a) && count->count() == 0)
-            for (const scenes::SceneEntry &entry : scenes::scene_entries())
-                if (a->setup.scene == entry.name) a->counts = {entry.default_count};
         if (is_of_shadows(*a) && (has_no_scene(*a) || of_actors(*a) || !a->operations.empty()))
             throw CLI::ValidationError("--shadows",
                                        "needs a scene with a ground: plaza, multitude, ten_thousand, parade");

@@ -101,12 +101,14 @@ Json bench_shadows(const BenchArguments &a)
             report["scene"] = options.scene;
             rivals[k].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, options);
         }
+        const double begin_s = rivals.front().scene_renderer->scene().busiest_s();
         for (int f = 0; f <= a.frames; ++f) {
             for (size_t k = 0; k < rivals.size(); ++k)
-                frame(rivals[(k + static_cast<size_t>(f)) % rivals.size()], f / 25.0, f > 0);
+                frame(rivals[(k + static_cast<size_t>(f)) % rivals.size()], begin_s + f / 25.0, f > 0);
             progress.step(static_cast<size_t>(f), static_cast<size_t>(a.frames));
         }
-        for (const ShadowsRival &rival : rivals) report["runs"].push_back(about(rival, count));
+        const uint32_t people = count > 0 ? count : rivals.front().scene_renderer->crowd_stats().actor_count;
+        for (const ShadowsRival &rival : rivals) report["runs"].push_back(about(rival, people));
     }
     return report;
 }

@@ -8,7 +8,7 @@
 #include "samples/cli/files.h"
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
-#include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/scenario/scenario.h"
 
 namespace cli
 {
@@ -16,7 +16,7 @@ namespace
 {
 
 struct MapArguments {
-    std::string from, theatre, colours, out;
+    std::string from, scenario, colours, out;
     uint32_t each = 0;
     uint64_t seed = 1;
     int width = 1280, height = 800;
@@ -54,22 +54,19 @@ scenes::ColourMap made(scenes::Library &library, const Making &making)
     return scenes::ColourMap(map);
 }
 
-// The classes of a theatre: each zone has the palette of the theatre's description, or else the built-in character's
-// own range.
-scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &file)
+// The classes of a scenario: each zone has the palette of its description, or else the character's own range.
+scenes::ColourMap map_of_scenario(scenes::Library &library, const scenes::Scenario &scenario)
 {
-    const scenes::Theatre theatre = file.empty() ? scenes::read_theatre(scenes::odeon_description(), "odeon.toml")
-                                                 : scenes::read_theatre(text_of(file), file);
     Making making;
-    for (const scenes::SocialClass &one : theatre.classes) {
-        const clq_template *tmpl = library.builtin(one.character);
+    std::deque<LoadedCharacter> loaded;
+    for (const scenes::SocialClass &one : scenario.characters) {
+        loaded.push_back(load_character(library, one.character));
+        const clq_template *tmpl = loaded.back().tmpl.get();
+        const std::vector<clq_hsb_range> ranges = ranges_of(tmpl, one);
         std::vector<clq_zone_colours> &zones = making.add(one.name.c_str(), tmpl);
         for (const scenes::SocialClass::Dye &dye : one.palette) {
             const uint32_t zone = clq_template_find_zone(tmpl, dye.zone.c_str());
-            if (zone == CLQ_NONE)
-                throw scenes::Failure("the " + one.name + " have a palette for '" + dye.zone +
-                                      "', and the built-in character '" + one.character + "' has no such zone");
-            making.dyes.push_back({dye.range, 1});
+            making.dyes.push_back({ranges[zone], 1});
             zones[zone].palette = &making.dyes.back();
         }
     }
@@ -78,9 +75,9 @@ scenes::ColourMap map_of_theatre(scenes::Library &library, const std::string &fi
 
 bool ends_in_toml(const std::string &name) { return name.size() > 5 && name.compare(name.size() - 5, 5, ".toml") == 0; }
 
-scenes::ColourMap map_from(scenes::Library &library, const std::string &from, const std::string &theatre)
+scenes::ColourMap map_from(scenes::Library &library, const std::string &from)
 {
-    if (from == "odeon" || !theatre.empty()) return map_of_theatre(library, theatre);
+    if (from == "odeon") return map_of_scenario(library, scenes::odeon_scenario());
     if (from == "roman-classes") return scenes::read_colours(library, scenes::roman_classes(), "roman-classes.toml");
     if (ends_in_toml(from)) return scenes::read_colours(library, text_of(from), from);
     const LoadedCharacter loaded = load_character(library, from);
@@ -94,7 +91,8 @@ void save(const MapArguments &a)
 {
     if (a.out != "-") expect_writable(a.out);
     scenes::Library library(1);
-    const scenes::ColourMap map = map_from(library, a.from, a.theatre);
+    const scenes::ColourMap map =
+        a.scenario.empty() ? map_from(library, a.from) : map_of_scenario(library, scenes::load_scenario(a.scenario));
     std::string text;
     const auto take = [](void *to, const void *bytes, size_t count) {
         static_cast<std::string *>(to)->append(static_cast<const char *>(bytes), count);
@@ -110,7 +108,7 @@ void draw(const MapArguments &a, Draw picture, const std::string &about)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const scenes::ColourMap map = map_from(library, a.colours.empty() ? "roman-classes" : a.colours, std::string());
+    const scenes::ColourMap map = map_from(library, a.colours.empty() ? "roman-classes" : a.colours);
     const ColourPicture drawn = picture(library, map.get(), a.each, a.seed, a.width, a.height);
     if (a.out == "-") return write_whole(a.out, drawn.board.rgb().data(), drawn.board.rgb().size());
     const std::vector<unsigned char> file =
@@ -144,14 +142,12 @@ void add_colours(CLI::App &app, Work &chosen)
     auto a = std::make_shared<MapArguments>();
     CLI::App *c = colours->add_subcommand("save", "Write a map as TOML, to be edited and used with --colours");
     c->add_option("FROM", a->from,
-                  "odeon, roman-classes, a map (TOML, written in its normal form), or a character: its own ranges")
-        ->required();
-    c->add_option("--theatre", a->theatre, "With odeon: a description that replaces the built-in one (TOML)")
-        ->type_name("FILE");
+                  "odeon, roman-classes, a map (TOML, written in its normal form), or a character: its own ranges");
+    c->add_option("--scenario", a->scenario, "The classes of a scenario (TOML) instead of FROM")->type_name("FILE");
     c->add_option("--out,-o", a->out, "TOML file; - is standard output")->required();
     c->callback([a, &chosen] {
-        if (!a->theatre.empty() && a->from != "odeon")
-            throw CLI::ValidationError("--theatre", "goes with odeon, not with " + a->from);
+        if (a->from.empty() == a->scenario.empty())
+            throw CLI::ValidationError("FROM", "or --scenario is needed, and not both");
         chosen = [a] { save(*a); };
     });
     add_picture(*colours, chosen, "classes", "Draw the social classes of a map side by side (S2 5.3)", classes_picture,

@@ -1,9 +1,11 @@
 // claque: draws pictures of crowds, describes and prepares characters, measures and compares.
 #include "samples/cli/program.h"
+#include "samples/scenes/walkers/scenario_walkers.h"
 
 int main(int argc, char **argv)
 {
     using namespace cli;
+    scenes::draw_tracks_with(scenes::walkers::make_scenario);
     return run_program(
         argc, argv,
         {add_render, add_sheet, add_inspect, add_dump, add_split, add_variety, add_colours, add_lods, add_blend,

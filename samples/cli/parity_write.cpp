@@ -25,6 +25,7 @@ using Writer = size_t (*)(scenes::SceneRenderer &, const parity::CaptureTime &, 
 // The subject is a scene's name, or else a character.
 void take_subject(ParityArguments &a)
 {
+    if (a.subject.empty()) return;
     const std::vector<scenes::SceneEntry> &entries = scenes::scene_entries();
     const bool is_scene = std::any_of(entries.begin(), entries.end(),
                                       [&](const scenes::SceneEntry &entry) { return a.subject == entry.name; });
@@ -34,9 +35,9 @@ void take_subject(ParityArguments &a)
 std::string words_about(const ParityArguments &a, const scenes::SceneOptions &options)
 {
     const char *shots[] = {"overview", "close", "path"};
-    return a.subject + ", camera " + shots[static_cast<int>(options.shot)] + ", count " +
-           std::to_string(options.crowd_options.count) + ", seed " + std::to_string(a.setup.seed) + ", lod " +
-           a.setup.lod;
+    return (a.subject.empty() ? scene_of(a.setup) : a.subject) + ", camera " + shots[static_cast<int>(options.shot)] +
+           ", count " + std::to_string(options.crowd_options.count) + ", seed " + std::to_string(a.setup.seed) +
+           ", lod " + a.setup.lod;
 }
 
 void write(const ParityArguments &a, Writer writer)
@@ -55,7 +56,9 @@ void write(const ParityArguments &a, Writer writer)
 
 void check_usage(ParityArguments &a)
 {
+    expect_subject(a.subject, a.setup);
     take_subject(a);
+    read_scenario(a.setup);
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
     check_scene_usage(a.setup);
@@ -69,8 +72,8 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
     CLI::App *c = parity.add_subcommand(name, about);
     c->add_option("SCENE", a->subject,
                   "A scene of claque render --scene, or a character to stand on a ground: glTF, GLB, prepared .clq, or "
-                  "the name of a built-in character")
-        ->required();
+                  "the name of a built-in character");
+    add_scenario_option(*c, a->setup);
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     a->setup.flat_triangles = 0;  // lit smoothly, as in other renderers

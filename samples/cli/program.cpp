@@ -1,10 +1,10 @@
 #include "samples/cli/program.h"
 
-#include <CLI/CLI.hpp>
-
 #include <cstdio>
 #include <iostream>
 #include <new>
+
+#include <CLI/CLI.hpp>
 
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
@@ -47,10 +47,10 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     Work chosen;
     for (const Add add : subcommands) add(app, chosen);
 
-    const int parsed = parse(app, argc, argv);
-    if (parsed != 0) return parsed < 0 ? 0 : parsed;
-    io::watch_signals();
     try {
+        const int parsed = parse(app, argc, argv);
+        if (parsed != 0) return parsed < 0 ? 0 : parsed;
+        io::watch_signals();
         chosen();
         std::cout.flush();
         // printf shares the buffer of std::cout, but not its state.

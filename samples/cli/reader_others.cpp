@@ -9,7 +9,7 @@
 #include "samples/cli/joint_map.h"
 #include "samples/cli/png.h"
 #include "samples/cli/reader_parts.h"
-#include "samples/scenes/camera_path.h"
+#include "samples/scenes/scenario/scenario.h"
 
 namespace cli
 {
@@ -129,6 +129,60 @@ Reading read_path(scenes::Library &, const std::string &bytes)
     return timed([&] { return thrown_of([&] { const scenes::CameraPath path(bytes, "path"); }); });
 }
 
+constexpr const char *scenario_head = "name = \"x\"\n[tracks]\nfile = \"x.csv\"\n";
+
+std::string scenario_classes(uint32_t count)
+{
+    std::string text = scenario_head;
+    for (uint32_t i = 0; i < count; ++i)
+        text += "[[characters]]\nname = \"c" + std::to_string(i) + "\"\ncharacter = \"citizen\"\n";
+    return text;
+}
+
+std::string scenario_zones(uint32_t count)
+{
+    std::string text = scenario_classes(1) + "[characters.palette]\n";
+    for (uint32_t i = 0; i < count; ++i) text += "z" + std::to_string(i) + one_range;
+    return text;
+}
+
+// `count` rows of a class of one person, each adjoining the last, and what else is in the theatre.
+std::string theatre_of(uint32_t count, const std::string &more)
+{
+    std::string text =
+        "name = \"x\"\n[[characters]]\nname = \"c\"\ncharacter = \"citizen\"\ncount = 1\n"
+        "[theatre.orchestra]\nradius_m = 6.2\n[theatre.seats]\nwidth_m = 0.65\nfacing_noise_deg = 7\n"
+        "[theatre.stage]\nfront_z_m = 9\ndepth_m = 5\nhalf_width_m = 13\nfloor_y_m = 1\nwall_height_m = 9\n";
+    for (uint32_t i = 0; i < count; ++i)
+        text += "[[theatre.rows]]\ncount = 1\nradius_m = " + std::to_string(6.9 + 0.8 * i) +
+                "\ndepth_m = 0.8\nseat_y_m = " + std::to_string(0.86 + 0.43 * i) +
+                "\nrise_m = 0.43\nsweep_deg = [-90, 90]\nclass = \"c\"\n";
+    return text + more;
+}
+
+std::string scenario_rows(uint32_t count) { return theatre_of(count, ""); }
+
+std::string scenario_gangways(uint32_t count)
+{
+    std::string angles;
+    for (uint32_t i = 0; i < count; ++i) angles += std::to_string(i % 20) + ".0, ";
+    return theatre_of(1, "[[theatre.gangways]]\nwidth_m = 0.5\nrows = [1, 1]\nat_deg = [" + angles + "]\n");
+}
+
+std::string scenario_walkways(uint32_t count)
+{
+    std::string walkways;
+    for (uint32_t i = 0; i < count; ++i)
+        walkways += "[[theatre.walkways]]\ninner_m = 20\nouter_m = 21\ny_m = " + std::to_string(i % 50) + "\n";
+    return theatre_of(1, walkways);
+}
+
+Reading read_scenario_text(scenes::Library &, const std::string &bytes)
+{
+    const auto there = [](const std::string &) { return std::string(); };
+    return timed([&] { return thrown_of([&] { scenes::read_scenario(bytes, "scenario", {"", {}, there}); }); });
+}
+
 std::vector<uint8_t> pixels_of(uint32_t width, uint32_t height)
 {
     std::vector<uint8_t> rgb(3 * size_t(width) * height);
@@ -214,6 +268,11 @@ std::vector<ReaderElement> reader_elements_of_others()
             {"colours", "lines of comment", most, comments, read_colours},
             {"joints", "joints of a map", most, map_joints, read_map},
             {"path", "keys", 40000, path_keys, read_path},
+            {"scenario", "classes", 64, scenario_classes, read_scenario_text},
+            {"scenario", "zones of a class", most, scenario_zones, read_scenario_text},
+            {"scenario", "rows", 100, scenario_rows, read_scenario_text},
+            {"scenario", "gangways", most, scenario_gangways, read_scenario_text},
+            {"scenario", "walkways", 40000, scenario_walkways, read_scenario_text},
             {"PNG", "pixels", most, with_pixels, read_asset},
             {"PNG", "chunks", most, with_chunks, read_asset},
             {"zones", "texels of a map", 65536, zone_texels, read_zone_map},

@@ -95,6 +95,14 @@ Json draw(scenes::SceneRenderer &scene_renderer, const scenes::SceneOptions &opt
     return report;
 }
 
+std::string camera_of(const RenderArguments &a, const scenes::SceneOptions &options)
+{
+    if (options.shot == scenes::Shot::path) return "path";
+    if (options.shot == scenes::Shot::close) return "close";
+    const bool follows = a.setup.described && a.setup.camera.empty() && !a.setup.described->follow.empty();
+    return follows ? "follow:" + a.setup.described->follow : "overview";
+}
+
 Json about(const RenderArguments &a, const scenes::SceneOptions &options)
 {
     Json report;
@@ -103,11 +111,9 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options)
     if (!a.setup.file.empty()) report["file"] = a.setup.file;
     report["seed"] = options.crowd_options.seed;
     report["size_px"] = {options.width, options.height};
-    report["camera"] = options.shot == scenes::Shot::path    ? "path"
-                       : options.shot == scenes::Shot::close ? "close"
-                                                             : "overview";
+    report["camera"] = camera_of(a, options);
     if (!a.setup.path.empty()) report["path"] = a.setup.path;
-    if (!a.setup.theatre.empty()) report["theatre"] = a.setup.theatre;
+    if (!a.setup.scenario.empty()) report["scenario"] = a.setup.scenario;
     if (!a.colours.file.empty()) report["colours"] = a.colours.file;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;

@@ -12,6 +12,7 @@ void check_picture_usage(RenderArguments &a)
 {
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
+    read_scenario(a.setup);
     check_scene_usage(a.setup);
     if (!a.frames.empty()) {
         if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
@@ -101,6 +102,7 @@ void add_render(CLI::App &app, Work &chosen)
     c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza). " + abouts)
         ->check(scene_names())
         ->excludes(file);
+    add_scenario_option(*c, a->setup)->excludes(file)->excludes(c->get_option("--scene"));
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     add_hide_option(*c, a->setup);

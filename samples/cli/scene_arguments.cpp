@@ -58,8 +58,6 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
                     "frames are requested)")
         ->check(CLI::IsMember({"overview", "close", "path"}));
     command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
-    command.add_option("--theatre", a.theatre, "Description of the odeon instead of the built-in one (TOML)")
-        ->type_name("FILE");
     command.add_option("--context", a.context, "Source of OpenGL; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
         ->capture_default_str();
@@ -128,10 +126,9 @@ int core_count()
 std::string scene_of(const SceneArguments &a)
 {
     if (a.make) return "tracks";
-    return !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : !a.theatre.empty() ? "odeon" : "plaza";
+    if (a.described) return a.described->name;
+    return !a.file.empty() ? "parade" : !a.scene.empty() ? a.scene : "plaza";
 }
-
-bool has_path(const SceneArguments &a) { return !a.path.empty() || scenes::recorded_path(scene_of(a)); }
 
 void check_scene_usage(const SceneArguments &a)
 {
@@ -139,8 +136,8 @@ void check_scene_usage(const SceneArguments &a)
         throw CLI::ValidationError("--path", "the camera " + a.camera + " follows no path");
     if (a.camera == "path" && !has_path(a))
         throw CLI::ValidationError("--camera", "the scene " + scene_of(a) + " has no path of its own; use --path FILE");
-    if (!a.theatre.empty() && scene_of(a) != "odeon")
-        throw CLI::ValidationError("--theatre", "the scene " + scene_of(a) + " is not a theatre; only odeon is");
+    if (a.described && a.described->tracks && a.count > 0)
+        throw CLI::ValidationError("--count", "the file of trajectories says how many people walk in " + scene_of(a));
 }
 
 scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacter &loaded)
@@ -148,13 +145,13 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     scenes::SceneOptions options;
     options.scene = scene_of(a);
     options.make = a.make;
+    if (a.described) options.make = maker_of(a);
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
     options.crowd_options.count = a.count;
-    // A theatre's description has its own number of people.
-    if (a.count == 0 && a.theatre.empty())
+    // A scenario has its own number of people.
+    if (a.count == 0 && !a.described)
         for (const scenes::SceneEntry &entry : scenes::scene_entries())
             if (options.scene == entry.name) options.crowd_options.count = entry.default_count;
-    options.crowd_options.theatre_file = a.theatre;
     options.crowd_options.seed = a.seed;
     options.crowd_options.cache = cache_named(a.cache);
     options.crowd_options.cache_budget_bytes = a.budget_mib << 20;
@@ -176,6 +173,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
                    : a.camera == "path" || !a.path.empty() ? scenes::Shot::path
                                                            : scenes::Shot::overview;
     if (!a.path.empty()) options.path.emplace(text_of(a.path), a.path);
+    else if (options.shot == scenes::Shot::path && a.described) options.path = a.described->path;
     else if (options.shot == scenes::Shot::path)
         options.path.emplace(*scenes::recorded_path(options.scene), options.scene + "/path.toml");
     options.width = a.width;

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include "samples/cli/cache_choice.h"
 #include "samples/cli/characters.h"
+#include "samples/scenes/scenario/scenario.h"
 #include "samples/scenes/scene_renderer.h"
 
 namespace cli
@@ -15,12 +17,15 @@ namespace cli
 
 using Json = nlohmann::ordered_json;
 
+using MakeScene = std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)>;
+
 struct SceneArguments {
     std::string file, scene;  // one or neither
     std::vector<std::string> hidden;
-    std::string path, theatre;  // files
+    std::string path, scenario;                         // files
+    std::shared_ptr<const scenes::Scenario> described;  // the scenario, once it is read
     // People on tracks in place of the scenes above (track_arguments.h).
-    std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> make;
+    MakeScene make;
     std::string camera;  // empty: not given
     std::string context = "any", format = "rgba8888";
     std::string strategy = "fused", cache = "full", filter = "nearest";
@@ -43,6 +48,9 @@ struct SceneArguments {
 // --hide, for subcommands that take a character's file.
 void add_hide_option(CLI::App &command, SceneArguments &arguments);
 
+// --scenario, for subcommands that take the name of a scene.
+CLI::Option *add_scenario_option(CLI::App &command, SceneArguments &arguments);
+
 // All other options except the scene's own argument, the file and `count`.
 void add_scene_options(CLI::App &command, SceneArguments &arguments);
 
@@ -55,10 +63,18 @@ CLI::IsMember scene_names();
 int thread_count(const SceneArguments &arguments);
 int core_count();  // available to threads: [1, 256]
 
+// Throws CLI::ValidationError unless a command has either the name of its scene or a scenario.
+void expect_subject(const std::string &scene, const SceneArguments &arguments);
+// Reads the scenario, if there is one. Throws scenes::Failure.
+void read_scenario(SceneArguments &arguments);
+// What makes its scene. A camera that is given is not the one that follows a person.
+MakeScene maker_of(const SceneArguments &arguments);
+// Whether its people sit in a theatre.
+bool is_theatre(const SceneArguments &arguments);
 // The selected scene, and whether its camera moves along a path: one of its own, or --path.
 std::string scene_of(const SceneArguments &arguments);
 bool has_path(const SceneArguments &arguments);
-// Throws CLI::ValidationError if options conflict, before any file is read.
+// Throws CLI::ValidationError if options conflict, before any file but the scenario is read.
 void check_scene_usage(const SceneArguments &arguments);
 
 // Reads the files that options name. `loaded` must live as long as the scene that is made from this.

@@ -110,7 +110,9 @@ void add_sheet(CLI::App &app, Work &chosen)
     auto a = std::make_shared<SheetArguments>();
     CLI::App *c = app.add_subcommand("sheet", "Draw the sections of a camera path side by side, each at its middle");
     a->setup.scene = "odeon";
-    c->add_option("--scene", a->setup.scene, "The scene")->capture_default_str()->check(scene_names());
+    CLI::Option *scene =
+        c->add_option("--scene", a->setup.scene, "The scene")->capture_default_str()->check(scene_names());
+    add_scenario_option(*c, a->setup)->excludes(scene);
     c->add_option("--count", a->setup.count, "Individuals (default: the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     a->setup.width = 640;
@@ -123,6 +125,7 @@ void add_sheet(CLI::App &app, Work &chosen)
         if (a->setup.camera.empty()) a->setup.camera = "path";
         if (a->setup.camera != "path")
             throw CLI::ValidationError("--camera", "must be path: a sheet follows the camera path");
+        read_scenario(a->setup);
         check_scene_usage(a->setup);
         if (a->out == "-" && a->json == "-")
             throw CLI::ValidationError("--json", "standard output is used by the picture already");

@@ -2,6 +2,9 @@
 
 #include <sstream>
 
+#include "samples/scenes/scenario/tracks.h"
+#include "samples/scenes/walkers/cast.h"
+
 namespace cli
 {
 
@@ -10,18 +13,15 @@ namespace
 
 double metres_of(const std::string &unit)
 {
-    if (unit.empty()) return 0;
-    return unit == "m" ? 1 : unit == "cm" ? 0.01 : unit == "mm" ? 0.001 : unit == "ft" ? 0.3048 : std::stod(unit);
+    double metres = 0;
+    if (!unit.empty()) scenes::read_unit(unit, metres);
+    return metres;
 }
 
 std::string check_unit(const std::string &text)
 {
-    for (const char *name : {"m", "cm", "mm", "ft"})
-        if (text == name) return {};
-    char *end = nullptr;
-    const double metres = std::strtod(text.c_str(), &end);
-    if (!text.empty() && *end == '\0' && metres > 0 && metres <= 1e6) return {};
-    return "'" + text + "' is no unit: m, cm, mm, ft, or the metres in one";
+    double metres = 0;
+    return scenes::read_unit(text, metres);
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ scenes::walkers::Options walkers_of(const TrackArguments &a)
     options.columns = a.columns;
     std::stringstream names(a.characters);
     for (std::string name; std::getline(names, name, ',');)
-        if (!name.empty()) options.characters.push_back(name);
+        if (!name.empty()) options.characters.push_back(scenes::walkers::class_of(name));
     options.area = a.area;
     if (a.camera.rfind("follow:", 0) == 0) options.follow = a.camera.substr(7);
     return options;

@@ -134,11 +134,12 @@ void run(const Arguments &a)
     Tracks tracks;
     progress.phase("reading");
     tracks.trajectories = scenes::walkers::load(library, options);
-    tracks.plan = scenes::walkers::plan_of(tracks.trajectories.get());
+    tracks.plan = scenes::walkers::plan_of(tracks.trajectories.get(), options);
     std::vector<scenes::walkers::Member> cast;
-    for (const std::string &name :
-         options.characters.empty() ? std::vector<std::string>{"citizen"} : options.characters)
-        cast.push_back(scenes::walkers::cast(library, name, scenes::Lod::off));
+    std::vector<scenes::SocialClass> classes = options.characters;
+    if (classes.empty()) classes.push_back(scenes::walkers::class_of("citizen"));
+    for (const scenes::SocialClass &one : classes)
+        cast.push_back(scenes::walkers::cast(library, one, scenes::Lod::off));
     tracks.people = scenes::walkers::tracks_of(tracks.trajectories.get(), tracks.plan, cast, a.seed,
                                                [&](size_t done, size_t of) { progress.step(done, of); });
     const TracksReport report = report_of(tracks, a.tracks.file);

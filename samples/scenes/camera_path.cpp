@@ -36,22 +36,13 @@ bool is_upright(const Viewpoint &v)
     return std::sqrt(x * x + z * z) > 0.035 * distance(v.eye, v.target);
 }
 
-PathPoint point(TomlTable &key, const char *name)
-{
-    const std::vector<double> numbers = key.numbers(name, anywhere);
-    if (numbers.size() != 3)
-        key.refuse(
-            "has '" + std::string(name) + "' of " + std::to_string(numbers.size()) + " numbers instead of 3, [x, y, z]",
-            name);
-    return {numbers[0], numbers[1], numbers[2]};
-}
-
 KeyFrame read_key(TomlTable &d, double far_m)
 {
     KeyFrame key;
     key.time_s = d.number("time_s", film);
-    key.view.eye = point(d, "eye");
-    key.view.target = point(d, "target");
+    key.at = d.place();
+    key.view.eye = d.triple("eye", anywhere, "[x, y, z]");
+    key.view.target = d.triple("target", anywhere, "[x, y, z]");
     key.view.fov_deg = d.number("fov_deg", angle);
     key.view.near_m = d.number("near_m", nearest);
     d.done();
@@ -74,9 +65,7 @@ std::vector<KeyFrame> read_keys(TomlTable &path, double far_m)
                      show(keys.back().time_s) + " s");
         keys.push_back(key);
     }
-    if (keys.size() < 2)
-        path.refuse("a camera path needs at least 2 key frames ([[keys]]), and there are " +
-                    std::to_string(keys.size()));
+    if (keys.size() < 2) path.refuse("needs at least 2 key frames ([[keys]]), and has " + std::to_string(keys.size()));
     return keys;
 }
 
@@ -101,8 +90,7 @@ std::vector<PathSection> read_sections(TomlTable &path, double start_s, double e
             d.refuse(span + "begins before the one before it ends, at " + show(sections.back().end_s) + " s");
         sections.push_back(s);
     }
-    if (sections.size() > 16)
-        path.refuse("a camera path has at most 16 sections, and there are " + std::to_string(sections.size()));
+    if (sections.size() > 16) path.refuse("has more than 16 sections: " + std::to_string(sections.size()));
     return sections;
 }
 
@@ -125,7 +113,14 @@ double between(const double (&t)[4], const double (&v)[4], double time)
 CameraPath::CameraPath(const std::string &toml, const std::string &where)
 {
     const toml::table table = parse_toml(toml, where);
-    TomlTable path(table, where, "");
+    TomlTable path(table, where, "the camera path");
+    read(path);
+}
+
+CameraPath::CameraPath(TomlTable &path) { read(path); }
+
+void CameraPath::read(TomlTable &path)
+{
     far_m_ = path.number("far_m", depth);
     keys_ = read_keys(path, far_m_);
     sections_ = read_sections(path, start_s(), end_s());
@@ -136,8 +131,8 @@ CameraPath::CameraPath(const std::string &toml, const std::string &where)
             const double time = keys_[k].time_s + (keys_[k + 1].time_s - keys_[k].time_s) * step / 64;
             const Viewpoint v = at(time);
             if (distance(v.eye, v.target) < least_m || !is_upright(v))
-                throw Failure(where + ": between key frame " + std::to_string(k + 1) + " and " + std::to_string(k + 2) +
-                              ", at " + show(time) +
+                throw Failure(keys_[k + 1].at + ": between key frame " + std::to_string(k + 1) + " and " +
+                              std::to_string(k + 2) + ", at " + show(time) +
                               " s, the camera looks straight up or down, or stands on its target");
         }
 }

@@ -11,6 +11,8 @@
 namespace scenes
 {
 
+class TomlTable;
+
 struct Viewpoint {
     std::array<double, 3> eye, target;  // metres
     double fov_deg = 0;                 // the whole vertical angle
@@ -20,6 +22,7 @@ struct Viewpoint {
 struct KeyFrame {
     double time_s = 0;
     Viewpoint view;
+    std::string at;  // in its file, for messages
 };
 
 struct PathSection {
@@ -34,6 +37,8 @@ public:
     // the key frame and the numbers if the text is not TOML, lacks something, or describes a path that no camera can
     // follow.
     CameraPath(const std::string &toml, const std::string &where);
+    // The same from a table within another description.
+    explicit CameraPath(TomlTable &path);
 
     // Constant before the first key frame and after the last. Passes through every key frame, where the speed of
     // position and direction is continuous.
@@ -46,6 +51,8 @@ public:
     const std::vector<PathSection> &sections() const { return sections_; }
 
 private:
+    void read(TomlTable &path);
+
     std::vector<KeyFrame> keys_;
     std::vector<PathSection> sections_;
     double far_m_ = 0;

@@ -21,6 +21,17 @@ inline void check(clq_status status, const std::string &doing = {})
     if (status != CLQ_OK) throw Failure((doing.empty() ? "" : doing + ": ") + clq_last_error());
 }
 
+// Works, and puts the place in a file that asked for it before the sentence of a failure; empty: nothing.
+template <class Work>
+auto asked_at(const std::string &place, const Work &work)
+{
+    try {
+        return work();
+    } catch (const Failure &failure) {
+        throw Failure((place.empty() ? "" : place + ": ") + failure.what());
+    }
+}
+
 struct Destroy {
     void operator()(clq_context *p) const { clq_context_destroy(p); }
     void operator()(clq_template *p) const { clq_template_destroy(p); }

@@ -49,6 +49,8 @@ public:
     // does. Returns the light of the shadows; returns false, with nothing changed, if the scene has no ground for
     // them.
     virtual bool take_shadows(clq_shadow_def &) { return false; }
+    // A time at which the most people are there.
+    virtual double busiest_s() const { return 0; }
     // From now on a scene that culls leaves out what does not meet a frustum of this fraction of the picture's.
     virtual void cull_by(double) {}
 };

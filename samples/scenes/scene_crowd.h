@@ -14,7 +14,7 @@ enum class Lod { off, on };
 
 // The options that all scenes share.
 struct CrowdOptions {
-    uint32_t count = 400;  // [1, 1 000 000]; 0, odeon: the number in its description
+    uint32_t count = 400;  // [1, 1 000 000]; 0, scenarios: the number in their description
     uint64_t seed = 1;
     clq_cache_mode cache = CLQ_CACHE_FULL;
     uint64_t cache_budget_bytes = 0;  // 0: claque's default
@@ -23,8 +23,7 @@ struct CrowdOptions {
     clq_vertex_format vertex_format = CLQ_VERTEX_FLOAT;
     clq_key_poses key_poses = clq_key_poses_init();
     Lod lod = Lod::off;
-    float lod_scale = 1;       // multiplies every distance that selects levels of detail; 0: all at their finest
-    std::string theatre_file;  // odeon: a description by the user; empty: the one that comes with claque
+    float lod_scale = 1;  // multiplies every distance that selects levels of detail; 0: all at their finest
 };
 
 class SceneCrowd

@@ -1,11 +1,41 @@
-// A scene whose people are of social classes (S2 5.3).
+// The classes of a scene's people (S2 5.3): what each wears and how it behaves, and the scenes that have them.
 #pragma once
 
+#include <claque/template.h>
+
 #include <cstddef>
+#include <optional>
 #include <string>
+#include <vector>
+
+#include "samples/scenes/odeon/temperament.h"
 
 namespace scenes
 {
+
+// A class of people: its character and colours, how many they are, and what they play.
+struct SocialClass {
+    std::string name;
+    std::string character;  // built-in, or a file
+    struct Dye {
+        std::string zone;
+        clq_hsb_range range;
+    };
+    std::vector<Dye> palette = {};  // zones that are not named keep the template's own range
+    std::string at = {};            // in the file that describes it, for messages
+
+    // Where people sit.
+    uint32_t count = 0;
+    Temperament temperament = Temperament::grave;
+
+    // Where people walk.
+    double share = 1;
+    struct Clips {
+        std::string walk, run;  // names of its clips; empty: found by their usual names
+        std::vector<std::string> idles;
+    };
+    Clips clips = {};
+};
 
 class SocialClasses
 {
@@ -14,5 +44,9 @@ public:
     // The class name of number `who` of Scene::actors().
     virtual std::string class_of(size_t who) const = 0;
 };
+
+// The ranges of all zones of the template, with those of the class's palette in their places. Throws Failure if it has
+// no such zone.
+std::vector<clq_hsb_range> ranges_of(const clq_template *tmpl, const SocialClass &one);
 
 }  // namespace scenes

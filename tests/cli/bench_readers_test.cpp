@@ -33,8 +33,8 @@ TEST_F(BenchReaders, ReadEveryFormat)
         EXPECT_TRUE(run["lawful"]) << name;
     }
     EXPECT_EQ(formats, (std::set<std::string>{"BVH", "PNG", "colours", "glTF", "joints", "path", "prepared", "save",
-                                              "zones"}));
-    EXPECT_GE(names.size(), 48u);
+                                              "scenario", "zones"}));
+    EXPECT_GE(names.size(), 53u);
 }
 
 TEST_F(BenchReaders, PrintALineForEachElement)

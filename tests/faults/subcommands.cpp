@@ -17,12 +17,16 @@ const std::vector<Subcommand> &subcommands()
          true},
         {"render_prepared", {"render", "<p.clq", "--count", "2", "--size", "32x24", "--out", ">p.png"}, true},
         {"render_scene",
-         {"render", "--scene", "odeon", "--theatre", "<odeon.toml", "--camera", "path", "--path", "<path.toml",
-          "--colours", "<roman.toml", "--count", "3", "--size", "32x24", "--out", ">p.png"},
+         {"render", "--scenario", "<odeon.toml", "--camera", "path", "--path", "<path.toml", "--colours", "<roman.toml",
+          "--count", "3", "--size", "32x24", "--out", ">p.png"},
+         true,
+         true},
+        {"render_tracks",
+         {"render", "--scenario", "<street.toml", "--time", "3", "--size", "32x24", "--out", ">p.png"},
          true,
          true},
         {"sheet",
-         {"sheet", "--path", "<path.toml", "--theatre", "<odeon.toml", "--count", "3", "--size", "32x24", "--out",
+         {"sheet", "--path", "<path.toml", "--scenario", "<odeon.toml", "--count", "3", "--size", "32x24", "--out",
           ">s.png", "--json", ">s.json"},
          true,
          true},
@@ -71,6 +75,12 @@ void make_inputs(const fs::path &folder)
     fs::copy_file(source / "samples/scenes/odeon/odeon.toml", folder / "odeon.toml");
     fs::copy_file(source / "samples/scenes/odeon/path.toml", folder / "path.toml");
     fs::copy_file(source / "samples/maps/roman-classes.toml", folder / "roman.toml");
+    for (const char *name : {"corner.csv", "corner.wkt"})
+        fs::copy_file(source / "samples/scenarios" / name, folder / name);
+    std::ofstream(folder / "street.toml")
+        << "name = 'street'\ncolours = 'roman.toml'\n[tracks]\nfile = 'corner.csv'\ncolumns = 'id,frame,x,y'\n"
+           "rate_hz = 2\nunit = 'm'\n[[characters]]\nname = 'plebeians'\ncharacter = 'plebeian'\n"
+           "[ground]\narea = 'corner.wkt'\n[camera]\npath = 'path.toml'\n";
     fs::copy_file(source / "samples/maps/cmu-people.toml", folder / "map.toml");
     fs::copy_file(written::folder() + "WrittenSparse.gltf", folder / "s.gltf");
     for (const auto &file : fs::directory_iterator(written::folder()))

@@ -1,4 +1,4 @@
-// Every reader of TOML files reads every input: colour maps, camera paths, theatres, tolerances, joint maps.
+// Every reader of TOML files reads every input: colour maps, camera paths, scenarios, tolerances, joint maps.
 #include <cmath>
 
 #include "lib/asset/colour_file.h"
@@ -7,7 +7,7 @@
 #include "samples/parity/tolerance.h"
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/check.h"
-#include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/scenario/scenario.h"
 #include "tests/fuzz/fuzzer.h"
 
 namespace
@@ -58,6 +58,22 @@ void sit(const scenes::Theatre &theatre)
     for (const scenes::Seat &seat : scenes::seats_of(theatre)) EXPECT_TRUE(std::isfinite(seat.x + seat.y + seat.z));
 }
 
+// Files that a scenario names are there, and its camera path is this text again.
+void play(const std::string &text)
+{
+    const auto find = [](const std::string &) { return std::string(); };
+    const auto again = [&](const std::string &, std::string &path) {
+        path = text;
+        return std::string();
+    };
+    const scenes::Scenario scenario = scenes::read_scenario(text, "scenario.toml", {"", again, find});
+    EXPECT_NE(scenario.theatre.has_value(), scenario.tracks.has_value());
+    EXPECT_FALSE(scenario.name.empty());
+    if (scenario.theatre) sit(*scenario.theatre);
+    if (scenario.path) fly(*scenario.path);
+    for (const scenes::SocialClass &one : scenario.characters) EXPECT_TRUE(std::isfinite(one.share));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
@@ -65,7 +81,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     const std::string text(reinterpret_cast<const char *>(bytes), size);
     read_colours(text);
     read([&] { fly(scenes::CameraPath(text, "path.toml")); });
-    read([&] { sit(scenes::read_theatre(text, "theatre.toml")); });
+    read([&] { play(text); });
     read([&] { parity::tolerance_from(text, "tolerance.toml"); });
     read([&] { cli::read_joint_map(text, "map.toml"); });
     return 0;

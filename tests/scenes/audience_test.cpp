@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "samples/scenes/eye.h"
+#include "samples/scenes/scenario/scenario.h"
 
 namespace
 {
@@ -14,7 +15,7 @@ using namespace scenes;
 
 const Theatre &small_odeon()
 {
-    static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    static const Theatre theatre = *odeon_scenario().theatre;
     return theatre;
 }
 

@@ -6,6 +6,7 @@
 
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/validate_theatre.h"
+#include "samples/scenes/scenario/scenario.h"
 #include "tests/scenes/body.h"
 
 namespace
@@ -21,7 +22,7 @@ const std::vector<std::string> figures = {"decurion", "patrician", "plebeian"};
 
 const Theatre &full_odeon()
 {
-    static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    static const Theatre theatre = *odeon_scenario().theatre;
     return theatre;
 }
 

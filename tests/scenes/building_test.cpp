@@ -10,6 +10,7 @@
 #include "samples/scenes/odeon/frons.h"
 #include "samples/scenes/odeon/opus_sectile.h"
 #include "samples/scenes/odeon/orchestra.h"
+#include "samples/scenes/scenario/scenario.h"
 
 namespace
 {
@@ -20,7 +21,7 @@ constexpr double tolerance_m = 0.001;
 
 const Theatre &theatre()
 {
-    static const Theatre read = read_theatre(odeon_description(), "odeon.toml");
+    static const Theatre read = *odeon_scenario().theatre;
     return read;
 }
 

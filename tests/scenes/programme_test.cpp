@@ -98,9 +98,10 @@ TEST(Programme, MostSitQuietlyAndAFewStand)
 {
     std::map<Act, uint32_t> seen;
     uint32_t all = 0, quiet = 0, standing = 0;
+    const Temperament temperaments[] = {Temperament::grave, Temperament::gracious, Temperament::hearty};
     for (uint64_t who = 0; who < 1000; ++who)
         for (double t = 0; t < 300; t += 7.3) {
-            const Act act = playing_at(member(who, static_cast<Temperament>(who % 3)), t).act;
+            const Act act = playing_at(member(who, temperaments[who % 3]), t).act;
             ++seen[act];
             ++all;
             quiet += act <= Act::talk;

@@ -7,6 +7,7 @@
 
 #include "samples/scenes/check.h"
 #include "samples/scenes/odeon/seating.h"
+#include "samples/scenes/scenario/scenario.h"
 
 namespace
 {
@@ -17,7 +18,7 @@ constexpr double radians = 0.017453292519943295;
 
 const Theatre &odeon()
 {
-    static const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    static const Theatre theatre = *odeon_scenario().theatre;
     return theatre;
 }
 

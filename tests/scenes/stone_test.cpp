@@ -10,6 +10,7 @@
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/validate_theatre.h"
+#include "samples/scenes/scenario/scenario.h"
 #include "tests/scenes/body.h"
 
 namespace
@@ -86,7 +87,7 @@ private:
 };
 
 struct Scene {
-    Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    Theatre theatre = *odeon_scenario().theatre;
     std::vector<Seat> seats = seats_of(theatre);
     std::vector<Sitter> people = seat_people(theatre, seats, 0, 1);
     Geometry stone;

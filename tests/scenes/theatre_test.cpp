@@ -1,50 +1,27 @@
-// Invalid descriptions of theatres are refused by one sentence with file, line or row, and the numbers.
-#include "samples/scenes/odeon/theatre.h"
-
+// Theatres that contradict themselves are refused by one sentence with file, line, column, row, and the numbers.
 #include <gtest/gtest.h>
 
-#include "samples/scenes/check.h"
+#include "tests/scenes/described.h"
 
 namespace
 {
 
 using namespace scenes;
 
-std::string refusal(const std::string &toml)
-{
-    try {
-        read_theatre(toml, "mine.toml");
-    } catch (const Failure &failure) {
-        return failure.what();
-    }
-    return "read";
-}
-
-// The description that comes with claque, with the first `was` after `after` replaced.
+// The description that comes with claque, changed.
 std::string changed(const std::string &after, const std::string &was, const std::string &is)
 {
-    std::string text = odeon_description();
-    const size_t from = text.find(after), at = text.find(was, from);
-    EXPECT_NE(at, std::string::npos) << was;
-    return text.replace(at, was.size(), is);
+    return changed_text(odeon_description(), after, was, is);
 }
 
-void expect_refused(const std::string &toml, const std::vector<std::string> &words)
-{
-    const std::string sentence = refusal(toml);
-    EXPECT_EQ(sentence.rfind("mine.toml:", 0), 0u) << sentence;
-    EXPECT_EQ(sentence.find('\n'), std::string::npos) << sentence;
-    for (const std::string &word : words) EXPECT_NE(sentence.find(word), std::string::npos) << word << ": " << sentence;
-}
-
-const std::string lower = "ima cavea", middle = "lower half", upper = "upper half", walkway = "[[walkways]]",
-                  stairs = "[[gangways]]", palette = "[[audience.classes]]";
+const std::string lower = "ima cavea", middle = "lower half", upper = "upper half", walkway = "[[theatre.walkways]]",
+                  stairs = "[[theatre.gangways]]", palette = "[[characters]]";
 
 }  // namespace
 
 TEST(Theatre, TheDescriptionThatComesWithClaqueIsRead)
 {
-    const Theatre theatre = read_theatre(odeon_description(), "odeon.toml");
+    const Theatre theatre = *odeon_scenario().theatre;
     ASSERT_EQ(theatre.rows.size(), 18u);
     EXPECT_DOUBLE_EQ(theatre.rows[1].radius_m, 7.68);
     EXPECT_NEAR(theatre.rows[8].seat_y_m, 4.30, 1e-9);
@@ -71,36 +48,45 @@ TEST(Theatre, InvalidTomlIsRefusedWithItsLine)
 TEST(Theatre, MissingKeysAreNamed)
 {
     expect_refused("", {"'name'"});
-    expect_refused(changed("[orchestra]", "radius_m = 6.2", ""), {"[orchestra]", "lacks 'radius_m'"});
-    expect_refused(changed(middle, "depth_m = 0.78", ""), {"[[rows]] 2", "lacks 'depth_m'"});
-    expect_refused(changed(palette, "character = \"decurion\"", ""), {"[[audience.classes]] 1", "lacks 'character'"});
+    expect_refused(changed("[theatre.orchestra]", "radius_m = 6.2", ""), {"[theatre.orchestra]", "lacks 'radius_m'"});
+    expect_refused(changed(middle, "depth_m = 0.78", ""), {"[[theatre.rows]] 2", "lacks 'depth_m'"});
+    expect_refused(changed(palette, "character = \"decurion\"", ""), {"[[characters]] 1", "lacks 'character'"});
 }
 
 TEST(Theatre, FormerKeysAreRefusedWithTheirNewNames)
 {
     expect_refused(changed(palette, "character = \"decurion\"", "figure = \"decurion\""),
-                   {"[[audience.classes]] 1", "'figure'", "'character'"});
-    expect_refused(changed(lower, "class = \"decurions\"", "who = \"decurions\""), {"[[rows]] 1", "'who'", "'class'"});
+                   {"[[characters]] 1", "'figure'", "'character'"});
+    expect_refused(changed(lower, "class = \"decurions\"", "who = \"decurions\""),
+                   {"[[theatre.rows]] 1", "'who'", "'class'"});
+    for (const char *former : {"orchestra", "seats", "stage"})
+        expect_refused("[" + std::string(former) + "]\n" + odeon_description(),
+                       {"mine.toml:1:1:", "'" + std::string(former) + "'", "'theatre." + std::string(former) + "'"});
+    expect_refused("[audience]\n" + odeon_description(), {"mine.toml:1:1:", "'audience'", "'characters'"});
 }
 
-TEST(Theatre, WithoutADescriptionOfItsAudienceIsRefused)
+// S1 2: "a theatre without a scenario".
+TEST(Theatre, WithoutAScenarioIsRefusedAndToldWhatIsMissing)
 {
     const std::string text = odeon_description();
-    expect_refused(text.substr(0, text.find("[audience]")), {"audience", "[[audience.classes]]"});
-    expect_refused(text.substr(0, text.find(palette)), {"has no classes"});
+    const size_t people = text.find(palette), light = text.find("[light]");
+    expect_refused(text.substr(0, people) + text.substr(light),
+                   {"[theatre] is a theatre without a scenario", "nothing says who sits in it", "[[characters]]"});
+    expect_refused(text.substr(0, text.find("[theatre.orchestra]")), {"[theatre] or [tracks]"});
 }
 
 TEST(Theatre, WithoutSeatsIsRefused)
 {
     const std::string text = odeon_description();
-    expect_refused(text.substr(0, text.find("[[rows]]")) + text.substr(text.find("[[walkways]]")), {"no seats"});
+    expect_refused(text.substr(0, text.find("[[theatre.rows]]")) + text.substr(text.find("[[theatre.walkways]]")),
+                   {"no seats"});
 }
 
 TEST(Theatre, AnUnknownKeyIsNamedWithTheValidOnes)
 {
     expect_refused(changed(lower, "sweep_deg", "sweep"), {"lacks 'sweep_deg'"});
     expect_refused(changed(lower, "rise_m = 0.43", "rise_m = 0.43\nslope = 3"),
-                   {"unknown key 'slope'", "depth_m", ":24:"});
+                   {"unknown key 'slope'", "depth_m", "mine.toml:25:1:"});
     expect_refused("colour = 1\n" + odeon_description(), {"mine.toml:1:", "unknown key 'colour'"});
 }
 
@@ -110,8 +96,8 @@ TEST(Theatre, WrongTypesAreNamed)
     expect_refused(changed(lower, "count = 9", "count = 9.5"), {"'count'", "whole"});
     expect_refused(changed(lower, "class = \"decurions\"", "class = 3"), {"'class'", "a whole number", "string"});
     expect_refused(changed(lower, "[-97.0, 97.0]", "[-97.0, 0.0, 97.0]"), {"'sweep_deg'", "[first, last]"});
-    expect_refused("audience = 1\n" + odeon_description().substr(0, odeon_description().find("[audience]")),
-                   {"'audience'", "table"});
+    expect_refused("light = 1\n" + odeon_description().substr(0, odeon_description().find("[light]")),
+                   {"mine.toml:1:9:", "'light'", "table"});
     expect_refused(changed(palette, "tunic = {", "tunic = 2  # {"), {"'tunic'", "table"});
 }
 
@@ -120,8 +106,8 @@ TEST(Theatre, NumbersThatAreNotFiniteOrAbsurdAreRefused)
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = inf"), {"'radius_m' = inf", "not finite"});
     expect_refused(changed(lower, "seat_y_m = 0.86", "seat_y_m = nan"), {"'seat_y_m'", "not finite"});
     expect_refused(changed(lower, "radius_m = 6.9", "radius_m = 1e9"), {"1e+09", "1 to 200"});
-    expect_refused(changed("[seats]", "width_m = 0.65", "width_m = 0"), {"'width_m' = 0", "0.64"});
-    expect_refused(changed("[seats]", "width_m = 0.65", "width_m = -1"), {"'width_m' = -1"});
+    expect_refused(changed("[theatre.seats]", "width_m = 0.65", "width_m = 0"), {"'width_m' = 0", "0.64"});
+    expect_refused(changed("[theatre.seats]", "width_m = 0.65", "width_m = -1"), {"'width_m' = -1"});
     expect_refused(changed(lower, "count = 9", "count = 0"), {"'count' = 0"});
     expect_refused(changed(lower, "count = 9", "count = -9"), {"'count' = -9"});
     expect_refused(changed(lower, "count = 9", "count = 9000000000000"), {"'count' = 9e+12"});
@@ -184,6 +170,6 @@ TEST(Theatre, UnknownClassesAndCharactersAreRefusedWithTheirRow)
 TEST(Theatre, MorePeopleThanSeatsAreRefusedWithBothNumbers)
 {
     expect_refused(changed(palette, "count = 340", "count = 391"), {"391 decurions", "390 seats", "rows 1, 2"});
-    EXPECT_EQ(refusal(changed(palette, "count = 340", "count = 390")), "read");
+    EXPECT_EQ(refusal_of(changed(palette, "count = 340", "count = 390")), "read");
     expect_refused(changed(lower, "class = \"decurions\"", ""), {"340 decurions", "no row is theirs"});
 }

@@ -8,13 +8,6 @@ namespace scenes
 namespace
 {
 
-Temperament manners_of(const std::string &figure)
-{
-    return figure == "decurion"    ? Temperament::grave
-           : figure == "patrician" ? Temperament::gracious
-                                   : Temperament::hearty;
-}
-
 // Sideways from each seat to the nearest taken seat of the row in front; 9 if none is near.
 double aside_of(const std::vector<Seat> &seats, const std::vector<bool> &taken, size_t seat)
 {
@@ -47,7 +40,7 @@ std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &
         member.x = seats[sitter.seat].x;
         member.z = seats[sitter.seat].z;
         member.aside_m = aside_of(seats, taken, sitter.seat);
-        member.temperament = manners_of(theatre.classes[sitter.social_class].character);
+        member.temperament = theatre.classes[sitter.social_class].temperament;
         members.push_back(member);
     }
     return members;
@@ -62,7 +55,7 @@ Audience::Audience(Library &library, const Theatre &theatre, const CrowdOptions 
     std::vector<std::vector<clq_hsb_range>> palette;
     for (const SocialClass &one : theatre.classes) {
         figure_of_.push_back(figure(library, one.character, crowd_options.lod));
-        palette.push_back(palette_of(one, figures_[figure_of_.back()]));
+        palette.push_back(ranges_of(figures_[figure_of_.back()].tmpl, one));
     }
     for (size_t i = 0; i < sitters_.size(); ++i) {
         const Sitter &sitter = sitters_[i];
@@ -94,28 +87,6 @@ size_t Audience::figure(Library &library, const std::string &name, Lod lod)
     }
     figures_.push_back(std::move(made));
     return figures_.size() - 1;
-}
-
-std::vector<clq_hsb_range> Audience::palette_of(const SocialClass &one, const Figure &worn) const
-{
-    clq_template_info info = clq_template_info_init();
-    check(clq_template_get_info(worn.tmpl, &info));
-    std::vector<clq_hsb_range> ranges;
-    std::string names;
-    for (uint32_t zone = 0; zone < info.zone_count; ++zone) {
-        clq_zone_info found = clq_zone_info_init();
-        check(clq_template_get_zone(worn.tmpl, zone, &found));
-        ranges.push_back(found.range);
-        names += (names.empty() ? "" : ", ") + std::string(found.name);
-    }
-    for (const SocialClass::Dye &dye : one.palette) {
-        const uint32_t zone = clq_template_find_zone(worn.tmpl, dye.zone.c_str());
-        if (zone == CLQ_NONE)
-            throw Failure("the " + one.name + " have a palette for '" + dye.zone + "', and the built-in character '" +
-                          worn.name + "' has no such zone; there are: " + names);
-        ranges[zone] = dye.range;
-    }
-    return ranges;
 }
 
 void Audience::act(double time_s)

@@ -36,7 +36,6 @@ private:
         std::array<double, act_count> duration_s;
     };
     size_t figure(Library &library, const std::string &name, Lod lod);
-    std::vector<clq_hsb_range> palette_of(const SocialClass &one, const Figure &figure) const;
 
     std::vector<Seat> seats_;
     std::vector<Sitter> sitters_;

@@ -1,14 +1,13 @@
-// The odeon: three classes of Roman society in a theatre on a bright day (S1 7, S2 5.3).
+// A theatre and its audience: the odeon has three classes of Roman society on a bright day (S1 7, S2 5.3).
 #include <optional>
 
-#include "samples/io/files.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/audience.h"
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/contact_shadows.h"
 #include "samples/scenes/odeon/frons.h"
 #include "samples/scenes/odeon/orchestra.h"
-#include "samples/scenes/scene.h"
+#include "samples/scenes/scenario/scenario.h"
 #include "samples/scenes/sky.h"
 #include "samples/scenes/social_classes.h"
 #include "samples/scenes/stone.h"
@@ -18,27 +17,15 @@ namespace scenes
 namespace
 {
 
-// The sun is above the stage house and lights the faces of the audience; reflected light from the seats lights the
-// stage.
-constexpr Daylight afternoon = {
-    {-0.30f, 0.62f, 0.72f}, {0.82f, 0.74f, 0.60f}, {0.39f, 0.41f, 0.45f}, {0.26f, 0.23f, 0.18f}};
-constexpr Rgb paving = {0.86f, 0.82f, 0.74f};
-
-Theatre theatre_of(const CrowdOptions &crowd_options)
-{
-    if (crowd_options.theatre_file.empty()) return read_theatre(odeon_description(), "odeon.toml");
-    std::string text;
-    const std::string wrong = io::read_whole(crowd_options.theatre_file, text);
-    if (!wrong.empty()) throw Failure(wrong);
-    return read_theatre(text, crowd_options.theatre_file);
-}
+constexpr Rgb plain_paving = {0.86f, 0.82f, 0.74f};
 
 class Odeon final : public Scene, public SocialClasses
 {
 public:
-    Odeon(Library &library, const CrowdOptions &crowd_options)
+    Odeon(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)
         : seed_(crowd_options.seed),
-          theatre_(theatre_of(crowd_options)),
+          theatre_(*scenario.theatre),
+          light_(scenario.light.value_or(Daylight())),
           audience_(library, theatre_, crowd_options),
           shadows_(audience_.seats(), audience_.sitters()),
           sky_(crowd_options.seed, Sky::Land::hills),
@@ -47,7 +34,7 @@ public:
         build_cavea(stone_, theatre_, seed_);
         build_stage(stone_, theatre_);
         const float reach = static_cast<float>(theatre_.rows.back().radius_m + theatre_.rows.back().depth_m);
-        ground_.disc(0, 0, 0, reach + 8, 96, paving);
+        ground_.disc(0, 0, 0, reach + 8, 96, scenario.paving.value_or(plain_paving));
     }
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
@@ -76,7 +63,7 @@ public:
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
         sky_.draw(g, eye);
-        set_lights(g, afternoon, eye);
+        set_lights(g, light_, eye);
         g.Enable(gl::cull_face);
         flagstones_->use();
         ground_.draw(g);
@@ -111,6 +98,7 @@ private:
 
     uint64_t seed_;
     Theatre theatre_;
+    Daylight light_;
     Audience audience_;
     ContactShadows shadows_;
     Sky sky_;
@@ -121,9 +109,14 @@ private:
 
 }  // namespace
 
+std::unique_ptr<Scene> make_theatre(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)
+{
+    return std::make_unique<Odeon>(library, crowd_options, scenario);
+}
+
 std::unique_ptr<Scene> make_odeon(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Odeon>(library, crowd_options);
+    return make_scenario(library, crowd_options, odeon_scenario());
 }
 
 }  // namespace scenes

@@ -16,15 +16,6 @@ namespace
 constexpr double block_s = 32;
 constexpr size_t most_acts = 64;
 
-using Weights = std::array<double, seated_count>;
-
-// sit   lean look talk applaud cheer laugh wave
-constexpr Weights odds[] = {{3.4, 1.8, 2.4, 2.2, 0.20, 0.02, 0.15, 0.02},   // grave
-                            {2.8, 2.0, 2.4, 3.0, 0.20, 0.04, 0.30, 0.10},   // gracious
-                            {2.2, 2.6, 2.6, 2.4, 0.20, 0.12, 0.40, 0.16}};  // hearty
-// The response of each temperament where all around applaud or laugh, and its tendency to stand up.
-constexpr double cheer_odds[] = {1.0, 1.6, 6.0}, laugh_odds[] = {5.0, 9.0, 10.0}, rise_odds[] = {0.5, 0.6, 1.6};
-
 double above(double value, double from, double to) { return std::clamp((value - from) / (to - from), 0.0, 1.0); }
 
 struct Mood {
@@ -82,8 +73,8 @@ private:
 
     Act seated(const Mood &mood)
     {
-        const size_t temperament = static_cast<size_t>(m_.temperament);
-        Weights weights = odds[temperament];
+        const Temperament &temperament = m_.temperament;
+        std::array<double, seated_count> weights = temperament.odds;
         // Some are restless, some talkative, some hold still.
         const double restless = random_between(m_.seed, m_.who, Purpose::temper, 0.4, 1.8);
         const double talkative = random_between(m_.seed, m_.who + 0x100000u, Purpose::temper, 0.3, 2.0);
@@ -91,9 +82,9 @@ private:
         weights[2] *= restless;
         weights[3] *= talkative;
         weights[4] += 22 * mood.applause;
-        weights[5] += cheer_odds[temperament] * mood.ovation;
-        weights[6] += laugh_odds[temperament] * mood.mirth;
-        weights[7] += 0.5 * cheer_odds[temperament] * mood.ovation;
+        weights[5] += temperament.cheer * mood.ovation;
+        weights[6] += temperament.laugh * mood.mirth;
+        weights[7] += 0.5 * temperament.cheer * mood.ovation;
         double sum = 0;
         for (const double w : weights) sum += w;
         double at = draw() * sum;
@@ -107,7 +98,7 @@ private:
     // Rises, stays up for a clip or two, sits down again; returns false if it stays seated.
     bool stand_up(const Mood &mood)
     {
-        const double ready = rise_odds[static_cast<size_t>(m_.temperament)];
+        const double ready = m_.temperament.rise;
         if (m_.aside_m < aside_to_rise_m || draw() >= ready * (0.13 + 0.35 * mood.ovation)) return false;
         constexpr Act ovation[] = {Act::stand_applaud, Act::stand_applaud, Act::stand_cheer, Act::stand_wave};
         constexpr Act else_[] = {Act::stand, Act::stand_wave, Act::stand_laugh, Act::stand_applaud};

@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "samples/scenes/odeon/temperament.h"
+
 namespace scenes
 {
 
@@ -27,11 +29,9 @@ enum class Act : uint8_t {
     stand_laugh,
     sit_down
 };
-constexpr size_t act_count = 15, seated_count = 8;  // the first ones are seated
+constexpr size_t act_count = 15;  // the first seated_count are seated
 
 const char *clip_name(Act act);
-
-enum class Temperament : uint8_t { grave, gracious, hearty };  // of a decurion, a patrician, a plebeian
 
 struct Member {
     uint64_t seed = 0, who = 0;

@@ -1,29 +1,17 @@
-// A Roman theatre as its description has it: rows of seats on circles, gangways, stage, and the classes of the rows.
+// A Roman theatre as a scenario describes it: rows of seats on circles, gangways, stage, and the classes of the rows.
 // The audience sits on the side of -z and looks towards the stage, which is on the side of +z; the origin is the
 // centre of the orchestra's floor. Angles are about the vertical axis, 0 behind the centre of the audience (along -z),
 // positive towards +x. Metres and degrees.
 #pragma once
 
-#include <claque/template.h>
-
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "samples/scenes/social_classes.h"
+
 namespace scenes
 {
-
-// A class of the audience: its template, its number of people, and the palettes of its colours.
-struct SocialClass {
-    std::string name;
-    std::string character;  // built-in
-    uint32_t count = 0;
-    struct Dye {
-        std::string zone;
-        clq_hsb_range range;
-    };
-    std::vector<Dye> palette;  // zones that are not named keep the template's own range
-};
 
 struct SeatRow {
     double radius_m = 0;                 // of the front edge of its seats
@@ -32,17 +20,20 @@ struct SeatRow {
     double step_y_m = 0;                 // height under the sitters' feet: seat_y_m less the rise
     double first_deg = 0, last_deg = 0;  // its sweep
     std::string social_class;            // its name; empty: the row stays empty
+    std::string at;                      // in its file, for messages, as below
 };
 
 // Stairs that cut through rows [first_row, last_row].
 struct Gangway {
     double at_deg = 0, width_m = 0;
     size_t first_row = 0, last_row = 0;
+    std::string at;
 };
 
 // A horizontal walkway (praecinctio) between two blocks of rows.
 struct Walkway {
     double inner_m = 0, outer_m = 0, y_m = 0;
+    std::string at;
 };
 
 struct StageHouse {
@@ -52,7 +43,6 @@ struct StageHouse {
 };
 
 struct Theatre {
-    std::string name;
     double orchestra_radius_m = 0;
     double seat_width_m = 0;
     std::vector<SeatRow> rows;  // from the orchestra outwards
@@ -71,14 +61,6 @@ struct Seat {
     double facing_x = 0, facing_z = 0;
     double step_y = 0;
 };
-
-// Reads a description; `where` names it in error messages. Throws Failure with the row and numbers if the text is not
-// TOML, lacks something, or contradicts itself (rows that overlap, gangways that leave no seats, more people of a
-// class than seats).
-Theatre read_theatre(const std::string &toml, const std::string &where);
-
-// The description that comes with claque (odeon.toml beside this header).
-const std::string &odeon_description();
 
 // The parts of a row between gangways, by ascending angle.
 struct Wedge {

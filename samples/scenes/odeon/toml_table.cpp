@@ -11,9 +11,10 @@ namespace scenes
 namespace
 {
 
-std::string at_line(const std::string &where, const toml::source_region &source)
+std::string place_of(const std::string &where, const toml::source_region &source)
 {
-    return source.begin.line > 0 ? where + ":" + std::to_string(source.begin.line) : where;
+    if (source.begin.line == 0) return where;
+    return where + ":" + std::to_string(source.begin.line) + ":" + std::to_string(source.begin.column);
 }
 
 std::string kind_of(const toml::node &node)
@@ -48,11 +49,11 @@ std::string show(double value)
 toml::table parse_toml(const std::string &toml, const std::string &where)
 {
     if (const uint32_t line = io::line_of_deep_key(toml))
-        throw Failure(where + ":" + std::to_string(line) + ": a key has more than " +
+        throw Failure(where + ":" + std::to_string(line) + ":1: a key has more than " +
                       std::to_string(io::max_key_parts) + " parts");
     toml::parse_result result = toml::parse(toml);
     if (!result)
-        throw Failure(at_line(where, result.error().source()) +
+        throw Failure(place_of(where, result.error().source()) +
                       ": not TOML: " + std::string(result.error().description()));
     return std::move(result).table();
 }
@@ -62,11 +63,25 @@ TomlTable::TomlTable(const toml::table &table, std::string where, std::string wh
 {
 }
 
-void TomlTable::refuse(const std::string &sentence, std::string_view key) const
+std::string TomlTable::place(std::string_view key) const
 {
     const toml::node *node = key.empty() ? nullptr : table_->get(key);
-    throw Failure(at_line(where_, node ? node->source() : table_->source()) + ": " +
-                  (what_.empty() ? sentence : what_ + " " + sentence));
+    return place_of(where_, node ? node->source() : table_->source());
+}
+
+void TomlTable::refuse(const std::string &sentence, std::string_view key) const
+{
+    throw Failure(place(key) + ": " + (what_.empty() ? sentence : what_ + " " + sentence));
+}
+
+void TomlTable::expect_no(std::string_view key, const std::string &sentence) const
+{
+    if (table_->contains(key)) refuse("has '" + std::string(key) + "', " + sentence, key);
+}
+
+void TomlTable::renamed(std::string_view old_key, const std::string &now) const
+{
+    expect_no(old_key, "which is now '" + now + "'");
 }
 
 bool TomlTable::has(std::string_view key)
@@ -109,11 +124,28 @@ std::string TomlTable::text(std::string_view key)
     return *node.value<std::string>();
 }
 
+bool TomlTable::flag(std::string_view key)
+{
+    const toml::node &node = need(key);
+    if (!node.is_boolean())
+        refuse("has '" + std::string(key) + "' = " + kind_of(node) + " instead of true or false", key);
+    return *node.value<bool>();
+}
+
 std::array<double, 2> TomlTable::pair(std::string_view key, Limits limits)
 {
     const toml::array *list = need(key).as_array();
     if (!list || list->size() != 2) refuse("has '" + std::string(key) + "' that is not a list [first, last]", key);
     return {number_of((*list)[0], key, limits), number_of((*list)[1], key, limits)};
+}
+
+std::array<double, 3> TomlTable::triple(std::string_view key, Limits limits, const char *names)
+{
+    const std::vector<double> values = numbers(key, limits);
+    if (values.size() != 3)
+        refuse("has '" + std::string(key) + "' of " + std::to_string(values.size()) + " numbers instead of 3, " + names,
+               key);
+    return {values[0], values[1], values[2]};
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key, Limits limits)
@@ -182,7 +214,8 @@ void TomlTable::done() const
     for (const std::string &name : known_) names += (names.empty() ? "" : ", ") + name;
     for (const auto &[key, node] : *table_)
         if (!known_.count(key.str()))
-            refuse("has an unknown key '" + std::string(key.str()) + "'; there are: " + names, key.str());
+            throw Failure(place_of(where_, key.source()) + ": " + (what_.empty() ? "" : what_ + " ") +
+                          "has an unknown key '" + std::string(key.str()) + "'; there are: " + names);
 }
 
 }  // namespace scenes

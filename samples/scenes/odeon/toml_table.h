@@ -1,5 +1,5 @@
-// Tables of a TOML description; every value is checked as it is read. Each error is one sentence with file, line, key
-// and numbers.
+// Tables of a TOML description; every value is checked as it is read. Each error is one sentence with file, line,
+// column, key and numbers.
 #pragma once
 
 #include <array>
@@ -32,7 +32,10 @@ public:
     double number(std::string_view key, Limits limits);
     uint32_t whole(std::string_view key, Limits limits);
     std::string text(std::string_view key);
+    bool flag(std::string_view key);
     std::array<double, 2> pair(std::string_view key, Limits limits);
+    // Three numbers; `names` of them for messages: "[x, y, z]".
+    std::array<double, 3> triple(std::string_view key, Limits limits, const char *names);
     std::vector<double> numbers(std::string_view key, Limits limits);  // one number, or a list of them
     std::vector<std::string> texts(std::string_view key);
     // All texts with their keys, for tables whose keys are names.
@@ -44,8 +47,14 @@ public:
     std::vector<std::pair<std::string, TomlTable>> named_tables(const std::string &what);
     void done() const;
 
-    // Throws Failure: file, line of the table (or of one key), what it is, and the sentence.
+    // Refuses a key that has no place here.
+    void expect_no(std::string_view key, const std::string &sentence) const;
+    // Refuses a key that has another name now.
+    void renamed(std::string_view old_key, const std::string &now) const;
+    // Throws Failure: file, line and column of the table (or of the value of one key), what it is, and the sentence.
     [[noreturn]] void refuse(const std::string &sentence, std::string_view key = {}) const;
+    // "FILE:LINE:COLUMN" of the same, for what is checked later.
+    std::string place(std::string_view key = {}) const;
 
 private:
     const toml::node &need(std::string_view key);

@@ -33,7 +33,10 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string &sentence) const { throw Failure(where_ + ": " + sentence); }
+    [[noreturn]] void refuse(const std::string &at, const std::string &sentence) const
+    {
+        throw Failure((at.empty() ? where_ : at) + ": " + sentence);
+    }
     static std::string name(size_t row) { return "row " + std::to_string(row + 1); }
     static double end(const SeatRow &row) { return row.radius_m + row.depth_m; }
 
@@ -42,18 +45,18 @@ private:
         const SeatRow &row = theatre_.rows[i];
         if (i == 0) {
             if (row.radius_m < theatre_.orchestra_radius_m + seat_edge_to_toes_m - slack_m)
-                refuse("row 1 begins at " + show(row.radius_m) + " m, and feet before it need " +
-                       show(seat_edge_to_toes_m) + " m of stone; the orchestra already ends at " +
-                       show(theatre_.orchestra_radius_m) + " m");
+                refuse(row.at, "row 1 begins at " + show(row.radius_m) + " m, and feet before it need " +
+                                   show(seat_edge_to_toes_m) + " m of stone; the orchestra already ends at " +
+                                   show(theatre_.orchestra_radius_m) + " m");
             return;
         }
         const SeatRow &before = theatre_.rows[i - 1];
         if (end(before) > row.radius_m + slack_m)
-            refuse(name(i - 1) + " and " + name(i) + " overlap: " + name(i - 1) + " reaches to " + show(end(before)) +
-                   " m and " + name(i) + " begins at " + show(row.radius_m) + " m");
+            refuse(row.at, name(i - 1) + " and " + name(i) + " overlap: " + name(i - 1) + " reaches to " +
+                               show(end(before)) + " m and " + name(i) + " begins at " + show(row.radius_m) + " m");
         if (row.seat_y_m < before.seat_y_m)
-            refuse(name(i) + " sits at " + show(row.seat_y_m) + " m, lower than " + name(i - 1) + " before it at " +
-                   show(before.seat_y_m) + " m");
+            refuse(row.at, name(i) + " sits at " + show(row.seat_y_m) + " m, lower than " + name(i - 1) +
+                               " before it at " + show(before.seat_y_m) + " m");
     }
 
     // Feet stand on the previous row if it adjoins, or on a separate step behind a walkway.
@@ -63,23 +66,23 @@ private:
         const SeatRow &row = theatre_.rows[i], &before = theatre_.rows[i - 1];
         if (row.radius_m - end(before) <= slack_m) {
             if (std::abs(row.step_y_m - before.seat_y_m) > 0.005)
-                refuse(name(i) + " has no step: its feet would be at " + show(row.step_y_m) + " m, and the seats of " +
-                       name(i - 1) + " are at " + show(before.seat_y_m) + " m");
+                refuse(row.at, name(i) + " has no step: its feet would be at " + show(row.step_y_m) +
+                                   " m, and the seats of " + name(i - 1) + " are at " + show(before.seat_y_m) + " m");
             return;
         }
         for (const Walkway &walkway : theatre_.walkways) {
             if (walkway.inner_m < end(before) - slack_m || walkway.inner_m > row.radius_m) continue;
             if (walkway.outer_m > row.radius_m - seat_edge_to_toes_m + slack_m)
-                refuse(name(i) + " begins at " + show(row.radius_m) + " m, and feet before it need " +
-                       show(seat_edge_to_toes_m) + " m of stone; the walkway reaches to " + show(walkway.outer_m) +
-                       " m");
+                refuse(row.at, name(i) + " begins at " + show(row.radius_m) + " m, and feet before it need " +
+                                   show(seat_edge_to_toes_m) + " m of stone; the walkway reaches to " +
+                                   show(walkway.outer_m) + " m");
             if (row.step_y_m < walkway.y_m)
-                refuse(name(i) + " has its step at " + show(row.step_y_m) + " m, below its walkway at " +
-                       show(walkway.y_m) + " m");
+                refuse(row.at, name(i) + " has its step at " + show(row.step_y_m) + " m, below its walkway at " +
+                                   show(walkway.y_m) + " m");
             return;
         }
-        refuse("between " + name(i - 1) + " and " + name(i) + " there is no stone at " + show(end(before)) + " to " +
-               show(row.radius_m) + " m: it needs a walkway");
+        refuse(row.at, "between " + name(i - 1) + " and " + name(i) + " there is no stone at " + show(end(before)) +
+                           " to " + show(row.radius_m) + " m: it needs a walkway");
     }
 
     void stage(size_t i) const
@@ -89,8 +92,8 @@ private:
             for (const double radius : {row.radius_m, end(row)}) {
                 const double x = radius * std::sin(angle * radians), z = -radius * std::cos(angle * radians);
                 if (z > theatre_.stage.front_z_m && std::abs(x) < theatre_.stage.half_width_m)
-                    refuse(name(i) + " at " + show(angle) +
-                           " degrees lies on the stage, which begins at z = " + show(theatre_.stage.front_z_m) + " m");
+                    refuse(row.at, name(i) + " at " + show(angle) + " degrees lies on the stage, which begins at z = " +
+                                       show(theatre_.stage.front_z_m) + " m");
             }
     }
 
@@ -101,8 +104,9 @@ private:
             const Gangway &gangway = theatre_.gangways[g];
             if (i < gangway.first_row || i > gangway.last_row) continue;
             if (gangway.at_deg < row.first_deg || gangway.at_deg > row.last_deg)
-                refuse("gangway " + std::to_string(g + 1) + " at " + show(gangway.at_deg) + " degrees lies outside " +
-                       name(i) + ", which goes from " + show(row.first_deg) + " to " + show(row.last_deg) + " degrees");
+                refuse(gangway.at, "gangway " + std::to_string(g + 1) + " at " + show(gangway.at_deg) +
+                                       " degrees lies outside " + name(i) + ", which goes from " + show(row.first_deg) +
+                                       " to " + show(row.last_deg) + " degrees");
         }
     }
 
@@ -111,12 +115,13 @@ private:
         const Walkway &walkway = theatre_.walkways[i];
         const std::string named = "walkway " + std::to_string(i + 1);
         if (!(walkway.inner_m < walkway.outer_m))
-            refuse(named + " goes from " + show(walkway.inner_m) + " to " + show(walkway.outer_m) + " m");
+            refuse(walkway.at, named + " goes from " + show(walkway.inner_m) + " to " + show(walkway.outer_m) + " m");
         for (size_t r = 0; r < theatre_.rows.size(); ++r) {
             const SeatRow &row = theatre_.rows[r];
             if (walkway.inner_m < end(row) - slack_m && walkway.outer_m > row.radius_m + slack_m)
-                refuse(named + " from " + show(walkway.inner_m) + " to " + show(walkway.outer_m) + " m overlaps " +
-                       name(r) + " from " + show(row.radius_m) + " to " + show(end(row)) + " m");
+                refuse(walkway.at, named + " from " + show(walkway.inner_m) + " to " + show(walkway.outer_m) +
+                                       " m overlaps " + name(r) + " from " + show(row.radius_m) + " to " +
+                                       show(end(row)) + " m");
         }
     }
 
@@ -126,9 +131,10 @@ private:
         for (const Seat &seat : seats_of(theatre_)) ++of_row[seat.row];
         for (size_t i = 0; i < of_row.size(); ++i)
             if (of_row[i] == 0)
-                refuse("the gangways leave no seats of " + show(theatre_.seat_width_m) + " m in " + name(i) + " from " +
-                       show(theatre_.rows[i].first_deg) + " to " + show(theatre_.rows[i].last_deg) +
-                       " degrees at a radius of " + show(theatre_.rows[i].radius_m) + " m");
+                refuse(theatre_.rows[i].at, "the gangways leave no seats of " + show(theatre_.seat_width_m) + " m in " +
+                                                name(i) + " from " + show(theatre_.rows[i].first_deg) + " to " +
+                                                show(theatre_.rows[i].last_deg) + " degrees at a radius of " +
+                                                show(theatre_.rows[i].radius_m) + " m");
         for (const SocialClass &one : theatre_.classes) {
             uint32_t room = 0;
             std::string rows;
@@ -138,8 +144,8 @@ private:
                 rows += (rows.empty() ? "" : ", ") + std::to_string(i + 1);
             }
             if (one.count > room)
-                refuse(std::to_string(one.count) + " " + one.name + " find " + std::to_string(room) + " seats" +
-                       (rows.empty() ? ": no row is theirs" : " in their rows " + rows));
+                refuse(one.at, std::to_string(one.count) + " " + one.name + " find " + std::to_string(room) + " seats" +
+                                   (rows.empty() ? ": no row is theirs" : " in their rows " + rows));
         }
     }
 
@@ -149,7 +155,8 @@ private:
             const std::string &wanted = theatre_.rows[i].social_class;
             const auto named = [&](const SocialClass &one) { return one.name == wanted; };
             if (!wanted.empty() && std::none_of(theatre_.classes.begin(), theatre_.classes.end(), named))
-                refuse(name(i) + " is for '" + wanted + "', which is no class of its audience");
+                refuse(theatre_.rows[i].at,
+                       name(i) + " is for '" + wanted + "', which is no class of its [[characters]]");
         }
     }
 

@@ -42,25 +42,62 @@ std::string clip_names(const clq_template *tmpl, uint32_t count)
 // The height of a character that stands: of its nodes' highest place over its lowest, and a little for the head.
 double height_of(const clq_template_info &info) { return static_cast<double>(info.sklsroot_centre[1]) * 2; }
 
-OwnLocomotion locomotion_of(Library &library, const Member &member, const clq_template_info &info)
+// The clip that the description names, or one with a usual name.
+uint32_t clip_of(const Member &member, const std::string &named, const std::vector<std::string> &usual,
+                 const clq_template_info &info)
 {
-    clq_locomotion_def def = clq_locomotion_def_init();
-    def.tmpl = member.tmpl;
-    def.walk = find_clip(member.tmpl, {"walk", "walking", "walking_a", "walk_loop"});
-    def.run = find_clip(member.tmpl, {"jog", "run", "running", "running_a", "run_loop"});
+    if (named.empty()) return find_clip(member.tmpl, usual);
+    const uint32_t clip = clq_template_find_clip(member.tmpl, named.c_str());
+    if (clip == CLQ_NONE)
+        throw Failure("the character " + member.described.character + " has no clip named " + named +
+                      "; it has: " + clip_names(member.tmpl, info.clip_count));
+    return clip;
+}
+
+std::vector<uint32_t> idles_of(const Member &member, const clq_template_info &info)
+{
     std::vector<uint32_t> idles;
+    for (const std::string &named : member.described.clips.idles) idles.push_back(clip_of(member, named, {}, info));
+    if (!idles.empty()) return idles;
     for (const char *word :
          {"stand", "stand_look", "stand_shift", "idle", "idle_neutral", "idle_loop", "unarmed_idle"}) {
         const uint32_t clip = find_clip(member.tmpl, {word});
         if (clip != CLQ_NONE && idles.size() < 4) idles.push_back(clip);
     }
+    return idles;
+}
+
+OwnLocomotion locomotion_of(Library &library, const Member &member, const clq_template_info &info)
+{
+    const SocialClass::Clips &clips = member.described.clips;
+    clq_locomotion_def def = clq_locomotion_def_init();
+    def.tmpl = member.tmpl;
+    def.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
+    def.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
+    const std::vector<uint32_t> idles = idles_of(member, info);
     if (def.walk == CLQ_NONE)
-        throw Failure("the character " + member.name +
+        throw Failure("the character " + member.described.character +
                       " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
     def.idles = idles.data(), def.idle_count = static_cast<uint32_t>(idles.size());
     clq_locomotion *made = nullptr;
-    check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.name);
+    check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.described.character);
     return OwnLocomotion(made);
+}
+
+void take_template(Library &library, Member &member, Lod lod)
+{
+    const std::string &character = member.described.character;
+    if (character.find_first_of("./") == std::string::npos) {
+        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
+        return;
+    }
+    clq_asset *asset = nullptr;
+    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
+    const Own<clq_asset> held(asset);
+    clq_template *made = nullptr;
+    check(clq_asset_build(library.context(), asset, 0, &made), character);
+    member.own.reset(made);
+    member.tmpl = made;
 }
 
 }  // namespace
@@ -75,25 +112,24 @@ uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &wor
     return CLQ_NONE;
 }
 
-Member cast(Library &library, const std::string &character, Lod lod)
+SocialClass class_of(const std::string &character)
+{
+    SocialClass one;
+    one.name = one.character = character;
+    return one;
+}
+
+Member cast(Library &library, const SocialClass &described, Lod lod)
 {
     Member member;
-    member.name = character;
-    if (character.find_first_of("./") == std::string::npos) {
-        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
-    } else {
-        clq_asset *asset = nullptr;
-        check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
-        const Own<clq_asset> held(asset);
-        clq_template *made = nullptr;
-        check(clq_asset_build(library.context(), asset, 0, &made), character);
-        member.own.reset(made);
-        member.tmpl = made;
-    }
-    clq_template_info info = clq_template_info_init();
-    check(clq_template_get_info(member.tmpl, &info));
-    if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);
-    member.locomotion = locomotion_of(library, member, info);
+    member.described = described;
+    asked_at(described.at, [&] {
+        take_template(library, member, lod);
+        clq_template_info info = clq_template_info_init();
+        check(clq_template_get_info(member.tmpl, &info));
+        if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);
+        member.locomotion = locomotion_of(library, member, info);
+    });
     return member;
 }
 

@@ -7,6 +7,7 @@
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene_crowd.h"
+#include "samples/scenes/social_classes.h"
 
 namespace scenes::walkers
 {
@@ -19,7 +20,7 @@ using OwnLocomotion = std::unique_ptr<clq_locomotion, DestroyWalk>;
 using OwnTrack = std::unique_ptr<clq_track, DestroyWalk>;
 
 struct Member {
-    std::string name;
+    SocialClass described;
     Own<clq_template> own;  // of a file; built-in people belong to the library
     clq_template *tmpl = nullptr;
     OwnLocomotion locomotion;
@@ -29,7 +30,10 @@ struct Member {
 // The clip whose name is one of these words, alone or after a separator, whatever the case; CLQ_NONE: there is none.
 uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words);
 
+// A class of its own for a character.
+SocialClass class_of(const std::string &character);
+
 // Throws Failure with the names of the clips that a character lacks.
-Member cast(Library &library, const std::string &character, Lod lod);
+Member cast(Library &library, const SocialClass &described, Lod lod);
 
 }  // namespace scenes::walkers

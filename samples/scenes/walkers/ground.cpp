@@ -26,14 +26,14 @@ uint32_t add_paving(Geometry &out, double x, double y, double z, Rgb colour)
                    static_cast<float>(z / double(flagstone_metres)), colour);
 }
 
-// A rectangle that faces up, in pieces, so that lights on it are right near the eye.
-void plate(Geometry &out, double half_x, double half_z, double y, Rgb colour, int pieces)
+// A rectangle round the people that faces up, in pieces, so that lights on it are right near the eye.
+void plate(Geometry &out, const Plan &plan, double half_x, double half_z, double y, Rgb colour, int pieces)
 {
     std::vector<uint32_t> corners;
     for (int row = 0; row <= pieces; ++row)
         for (int column = 0; column <= pieces; ++column)
-            corners.push_back(add_paving(out, half_x * (2.0 * column / pieces - 1), y,
-                                         half_z * (2.0 * row / pieces - 1), colour));
+            corners.push_back(add_paving(out, plan.middle_x + half_x * (2.0 * column / pieces - 1), y,
+                                         plan.middle_z + half_z * (2.0 * row / pieces - 1), colour));
     const auto corner = [&](int row, int column) { return corners[size_t(row * (pieces + 1) + column)]; };
     for (int row = 0; row < pieces; ++row)
         for (int column = 0; column < pieces; ++column) {
@@ -58,7 +58,7 @@ void raise_wall(Geometry &out, const double a[3], const double b[3])
     out.quad({high[0], high[1], high[2], high[3]}, wall);
 }
 
-void pave(const clq_area_info &info, const Plan &plan, Ground &ground)
+void pave(const clq_area_info &info, const Plan &plan, Rgb paving, Ground &ground)
 {
     std::vector<double> points(3 * size_t(info.point_count));
     for (uint32_t i = 0; i < info.point_count; ++i) {
@@ -69,7 +69,7 @@ void pave(const clq_area_info &info, const Plan &plan, Ground &ground)
         uint32_t corners[3];
         for (int k = 0; k < 3; ++k) {
             const double *p = points.data() + 3 * size_t(info.triangles[3 * t + static_cast<uint32_t>(k)]);
-            corners[k] = add_paving(ground.paving, p[0], p[1], p[2], stone);
+            corners[k] = add_paving(ground.paving, p[0], p[1], p[2], paving);
         }
         ground.paving.triangle(corners[0], corners[1], corners[2]);
     }
@@ -80,19 +80,20 @@ void pave(const clq_area_info &info, const Plan &plan, Ground &ground)
 
 }  // namespace
 
-void lay(Library &library, const std::string &file, const Plan &plan, Ground &ground)
+void lay(Library &library, const Options &options, const Plan &plan, Ground &ground)
 {
-    plate(ground.around, country_m, country_m, -0.05, grass, 40);
-    if (file.empty()) {
-        plate(ground.paving, plan.half_x + margin_m, plan.half_z + margin_m, 0, stone, 16);
+    const Rgb paving = options.paving.value_or(stone);
+    plate(ground.around, plan, country_m, country_m, -0.05, options.around.value_or(grass), 40);
+    if (options.area.empty()) {
+        plate(ground.paving, plan, plan.half_x + margin_m, plan.half_z + margin_m, 0, paving, 16);
         return;
     }
     clq_area *made = nullptr;
-    check(clq_area_load(library.context(), file.c_str(), &made), file);
+    check(clq_area_load(library.context(), options.area.c_str(), &made), options.area);
     const std::unique_ptr<clq_area, DestroyArea> area(made);
     clq_area_info info = clq_area_info_init();
     check(clq_area_get_info(area.get(), &info));
-    pave(info, plan, ground);
+    pave(info, plan, paving, ground);
 }
 
 }  // namespace scenes::walkers

@@ -12,7 +12,7 @@ struct Ground {
     Geometry paving, walls, around;
 };
 
-// `file` empty: paving round the people. Throws Failure.
-void lay(Library &library, const std::string &file, const Plan &plan, Ground &ground);
+// Without an area: paving round the people. Throws Failure.
+void lay(Library &library, const Options &options, const Plan &plan, Ground &ground);
 
 }  // namespace scenes::walkers

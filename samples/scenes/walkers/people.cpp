@@ -29,6 +29,16 @@ std::vector<clq_track_point> points_of(const clq_trajectory_person &person, cons
     return points;
 }
 
+// A member of the cast by its share.
+size_t member_of(const std::vector<Member> &cast, double share)
+{
+    double all = 0, passed = 0;
+    for (const Member &member : cast) all += member.described.share;
+    for (size_t i = 0; i + 1 < cast.size(); ++i)
+        if (share * all < (passed += cast[i].described.share)) return i;
+    return cast.size() - 1;
+}
+
 }  // namespace
 
 OwnTrajectories load(Library &library, const Options &options)
@@ -44,14 +54,18 @@ OwnTrajectories load(Library &library, const Options &options)
     return out;
 }
 
-Plan plan_of(const clq_trajectories *trajectories)
+Plan plan_of(const clq_trajectories *trajectories, const Options &options)
 {
     clq_trajectories_info info = clq_trajectories_info_init();
     check(clq_trajectories_get_info(trajectories, &info));
     Plan plan;
     // Whole metres, so that the scene's coordinates are the file's but for an offset that people can read.
-    plan.x = std::floor((info.box_min_m[0] + info.box_max_m[0]) / 2);
-    plan.y = std::floor((info.box_min_m[1] + info.box_max_m[1]) / 2);
+    const double x = (info.box_min_m[0] + info.box_max_m[0]) / 2, y = (info.box_min_m[1] + info.box_max_m[1]) / 2;
+    plan.x = std::floor(x), plan.y = std::floor(y);
+    if (options.origin) {
+        plan.x = (*options.origin)[0], plan.y = (*options.origin)[1];
+        plan.middle_x = x - plan.x, plan.middle_z = plan.y - y;
+    }
     plan.z = info.box_min_m[2];
     plan.start_s = info.min_s, plan.end_s = info.max_s;
     plan.half_x = std::max(1.0, (info.box_max_m[0] - info.box_min_m[0]) / 2);
@@ -71,8 +85,7 @@ std::vector<Person> tracks_of(const clq_trajectories *trajectories, const Plan &
         check(clq_trajectories_get_person(trajectories, i, &found));
         Person person;
         person.id = found.id;
-        person.member = std::min(cast.size() - 1, static_cast<size_t>(random_unit(seed, i, Purpose::clip) *
-                                                                      static_cast<double>(cast.size())));
+        person.member = member_of(cast, random_unit(seed, i, Purpose::clip));
         const Member &member = cast[person.member];
         person.scale = member.scale * random_between(seed, i, Purpose::size, 0.95, 1.05);
         const std::vector<clq_track_point> points = points_of(found, samples, plan);

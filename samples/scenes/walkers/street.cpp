@@ -18,7 +18,7 @@ class Street final : public Scene
 {
 public:
     Street(Library &library, const CrowdOptions &crowd_options, bool on_tracks)
-        : citizen_(walkers::cast(library, "citizen", crowd_options.lod)),
+        : citizen_(walkers::cast(library, class_of("citizen"), crowd_options.lod)),
           scene_crowd_(library, crowd_options),
           sky_(crowd_options.seed, Sky::Land::hills)
     {

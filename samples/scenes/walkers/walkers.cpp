@@ -20,26 +20,33 @@ namespace
 constexpr float person_height_m = 1.75f, shadow_width_m = 0.95f;
 const char *const people_of_rome[] = {"citizen", "patrician", "plebeian", "decurion"};
 
-class Walkers final : public Scene
+class Walkers final : public Scene, public SocialClasses
 {
 public:
     Walkers(Library &library, const CrowdOptions &crowd_options, const Options &options)
-        : scene_crowd_(library, crowd_options), sky_(crowd_options.seed, Sky::Land::hills), ground_(flagstone_metres)
+        : scene_crowd_(library, crowd_options),
+          light_(options.light),
+          sky_(crowd_options.seed, Sky::Land::hills),
+          ground_(flagstone_metres)
     {
-        const OwnTrajectories trajectories = load(library, options);
-        plan_ = plan_of(trajectories.get());
-        std::vector<std::string> names = options.characters;
-        if (names.empty()) names.assign(std::begin(people_of_rome), std::end(people_of_rome));
-        for (const std::string &name : names) cast_.push_back(walkers::cast(library, name, crowd_options.lod));
+        const OwnTrajectories trajectories = asked_at(options.places.file, [&] { return load(library, options); });
+        plan_ = plan_of(trajectories.get(), options);
+        std::vector<SocialClass> classes = options.characters;
+        if (classes.empty())
+            for (const char *name : people_of_rome) classes.push_back(walkers::class_of(name));
+        for (const SocialClass &one : classes) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
         people_ = tracks_of(trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
         for (const Person &person : people_) enter(person);
-        lay(library, options.area, plan_, ground_);
+        busiest_s_ = busiest();
+        asked_at(options.places.area, [&] { lay(library, options, plan_, ground_); });
         seed_ = crowd_options.seed;
-        if (!options.follow.empty()) followed_ = find(options.follow);
+        if (!options.follow.empty()) followed_ = asked_at(options.places.follow, [&] { return find(options.follow); });
     }
 
     clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
+    std::string class_of(size_t who) const override { return cast_[people_[who].member].described.name; }
+    double busiest_s() const override { return busiest_s_; }
     std::vector<clq_template *> templates() const override
     {
         std::vector<clq_template *> out;
@@ -52,13 +59,14 @@ public:
         if (followed_) return behind(people_[*followed_], time_s, aspect);
         const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
         if (shot == Shot::close) {
-            const double z = plan_.half_z + 3;
-            return look({0, 1.62, z}, {0, 1.2, z - 6}, 50, aspect, 0.2, far);
+            const double z = plan_.middle_z + plan_.half_z + 3;
+            return look({plan_.middle_x, 1.62, z}, {plan_.middle_x, 1.2, z - 6}, 50, aspect, 0.2, far);
         }
         // From the south, so high that the people fill the picture.
         const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
-        return look({0, 1.15 * reach, plan_.half_z * 0.35 + 1.9 * reach}, {0, 0.4, plan_.half_z * 0.12}, 40, aspect,
-                    0.5, far);
+        const double x = plan_.middle_x, z = plan_.middle_z;
+        return look({x, 1.15 * reach, z + (plan_.half_z * 0.35 + 1.9 * reach)}, {x, 0.4, z + plan_.half_z * 0.12}, 40,
+                    aspect, 0.5, far);
     }
 
     void place(double time_s) override
@@ -109,8 +117,24 @@ private:
     {
         clq_transform place = clq_transform_init();
         place.scale = static_cast<float>(person.scale);
-        scene_crowd_.enter({cast_[person.member].tmpl, place, clq_play_init()});
+        const Member &member = cast_[person.member];
+        const SceneCrowd::Part part = {member.tmpl, place, clq_play_init()};
+        if (member.described.palette.empty()) scene_crowd_.enter(part);
+        else scene_crowd_.enter(part, scene_crowd_.actors().size(), ranges_of(member.tmpl, member.described));
         check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors().back(), person.track.get(), 0));
+    }
+
+    // The time of an arrival after which the most people are there.
+    double busiest() const
+    {
+        std::vector<std::pair<double, int>> changes;  // an arrival before a departure at the same time
+        for (const Person &person : people_) changes.insert(changes.end(), {{person.start_s, -1}, {person.end_s, 1}});
+        std::sort(changes.begin(), changes.end());
+        double at = 0;
+        int now = 0, most = 0;
+        for (const auto &[time_s, change] : changes)
+            if ((now -= change) > most) most = now, at = time_s;
+        return at;
     }
 
     size_t find(const std::string &id) const
@@ -146,6 +170,7 @@ private:
     Sky sky_;
     Ground ground_;
     uint64_t seed_ = 1;
+    double busiest_s_ = 0;
     std::optional<size_t> followed_;
     std::vector<clq_transform> places_;
     bool paints_people_ = true;

@@ -1,0 +1,117 @@
+// [[characters]]: the classes of a scenario's people.
+#include <algorithm>
+
+#include "samples/scenes/odeon/programme.h"
+#include "samples/scenes/scenario/sections.h"
+
+namespace scenes
+{
+namespace
+{
+
+constexpr Limits unit_interval = {0, 1}, most_people = {0, 100000}, odds_limits = {0, 1000};
+constexpr size_t most_classes = 64, most_idles = 4;
+const char *const who_can_sit[] = {"citizen", "patrician", "decurion", "plebeian"};
+
+clq_hsb_range range_of(TomlTable dye)
+{
+    const auto hue = dye.pair("hue", {0, 360}), saturation = dye.pair("saturation", unit_interval),
+               brightness = dye.pair("brightness", unit_interval);
+    if (saturation[0] > saturation[1]) dye.refuse("has its saturation in the wrong order", "saturation");
+    if (brightness[0] > brightness[1]) dye.refuse("has its brightness in the wrong order", "brightness");
+    dye.done();
+    return {static_cast<float>(hue[0]),        static_cast<float>(hue[1]),        static_cast<float>(saturation[0]),
+            static_cast<float>(saturation[1]), static_cast<float>(brightness[0]), static_cast<float>(brightness[1])};
+}
+
+Temperament manners_of(const std::string &character)
+{
+    return character == "decurion"    ? Temperament::grave
+           : character == "patrician" ? Temperament::gracious
+                                      : Temperament::hearty;
+}
+
+void read_programme(TomlTable programme, Temperament &out)
+{
+    for (size_t i = 0; i < seated_count; ++i) {
+        const char *clip = clip_name(static_cast<Act>(i));
+        if (programme.has(clip)) out.odds[i] = programme.number(clip, odds_limits);
+    }
+    if (programme.has("cheer")) out.cheer = programme.number("cheer", odds_limits);
+    if (programme.has("laugh")) out.laugh = programme.number("laugh", odds_limits);
+    if (programme.has("rise")) out.rise = programme.number("rise", odds_limits);
+    programme.done();
+    if (!(out.odds[0] > 0)) programme.refuse("has sit = 0, and it is the clip that everyone can play", "sit");
+}
+
+void read_sitters(TomlTable &described, SocialClass &made)
+{
+    described.expect_no("share", "which goes with [tracks]; in a theatre 'count' says how many people are of a class");
+    described.expect_no("clips", "which go with [tracks]; in a theatre 'programme' weighs the clips");
+    made.count = described.whole("count", most_people);
+    made.temperament = manners_of(made.character);
+    if (described.has("programme"))
+        read_programme(described.table("programme", "the programme of class '" + made.name + "'"), made.temperament);
+    if (std::find(std::begin(who_can_sit), std::end(who_can_sit), made.character) == std::end(who_can_sit))
+        described.refuse(
+            "has the character '" + made.character +
+                "', which is not built in or cannot sit; there are: citizen, patrician, decurion, plebeian",
+            "character");
+}
+
+void read_clips(TomlTable clips, SocialClass::Clips &out)
+{
+    if (clips.has("walk")) out.walk = clips.text("walk");
+    if (clips.has("run")) out.run = clips.text("run");
+    if (clips.has("idles")) out.idles = clips.texts("idles");
+    clips.done();
+    if (out.idles.size() > most_idles)
+        clips.refuse(
+            "has " + std::to_string(out.idles.size()) + " idles; at most " + std::to_string(most_idles) + " are played",
+            "idles");
+}
+
+void read_walkers(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
+{
+    described.expect_no("count",
+                        "which goes with [theatre]; on tracks the file says how many people there are, and "
+                        "'share' how many of them are of this class");
+    described.expect_no("programme", "which goes with [theatre]; on tracks people walk and stand");
+    if (described.has("share")) made.share = described.number("share", {0, 1e6});
+    if (described.has("clips"))
+        read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
+    if (made.character.find_first_of("./") != std::string::npos)
+        made.character = file_of(described, "character", files);
+}
+
+}  // namespace
+
+void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
+{
+    const bool sit = all.has("theatre");
+    double shares = 0;
+    for (TomlTable &described : all.tables("characters", "[[characters]]")) {
+        SocialClass made;
+        made.at = described.place();
+        made.name = described.text("name");
+        described.renamed("figure", "character");
+        made.character = described.text("character");
+        if (described.has("palette"))
+            for (auto &[zone, dye] : described.table("palette", "class '" + made.name + "'")
+                                         .named_tables("palette entry of class '" + made.name + "' for"))
+                made.palette.push_back({zone, range_of(dye)});
+        if (sit) read_sitters(described, made);
+        else read_walkers(described, files, made);
+        described.done();
+        for (const SocialClass &other : scenario.characters)
+            if (other.name == made.name) described.refuse("is a second class '" + made.name + "'", "name");
+        shares += made.share;
+        scenario.characters.push_back(std::move(made));
+        if (scenario.characters.size() > most_classes)
+            described.refuse("is one too many: a scenario has at most " + std::to_string(most_classes) + " classes");
+    }
+    if (!sit && !scenario.characters.empty() && !(shares > 0))
+        all.refuse("has characters whose shares are all 0", "characters");
+}
+
+}  // namespace scenes

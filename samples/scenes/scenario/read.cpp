@@ -1,0 +1,81 @@
+// Reads a scenario: what stands at its top, its sections, and what must hold between them.
+#include <cstdio>
+
+#include "samples/io/files.h"
+#include "samples/scenes/check.h"
+#include "samples/scenes/scenario/sections.h"
+
+namespace scenes
+{
+namespace
+{
+
+// Theatres had no sections, and their people were part of them.
+void refuse_former_keys(const TomlTable &all)
+{
+    for (const char *former : {"orchestra", "seats", "rows", "walkways", "gangways", "stage"})
+        all.renamed(former, "theatre." + std::string(former));
+    all.renamed("audience", "characters");
+}
+
+void expect_people(TomlTable &all, const Scenario &scenario)
+{
+    if (scenario.theatre && scenario.tracks)
+        all.refuse("has people who sit, [theatre], and people who walk, [tracks]; it needs one of the two", "tracks");
+    if (!scenario.theatre && !scenario.tracks)
+        all.refuse("does not say where its people are: it needs [theatre] or [tracks]");
+}
+
+std::string why_not_there(const std::string &path)
+{
+    std::FILE *file = std::fopen(path.c_str(), "rb");
+    if (!file) return io::why(path, "opened");
+    std::fclose(file);
+    return "";
+}
+
+}  // namespace
+
+Scenario read_scenario(const std::string &text, const std::string &where, const ScenarioFiles &files)
+{
+    const toml::table table = parse_toml(text, where);
+    TomlTable all(table, where, "the scenario");
+    refuse_former_keys(all);
+    Scenario scenario;
+    scenario.name = all.text("name");
+    if (scenario.name.empty()) all.refuse("has the name \"\"", "name");
+    if (all.has("colours")) {
+        scenario.colours = file_of(all, "colours", files);
+        scenario.colours_at = all.place("colours");
+    }
+    for (const ScenarioSection &section : scenario_sections())
+        if (all.has(section.key)) section.read(all, files, scenario);
+    all.done();
+    expect_people(all, scenario);
+    return scenario;
+}
+
+Scenario load_scenario(const std::string &path)
+{
+    std::string text;
+    const std::string wrong = io::read_whole(path, text);
+    if (!wrong.empty()) throw Failure(wrong);
+    const size_t slash = path.rfind('/');
+    return read_scenario(text, path,
+                         {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, why_not_there});
+}
+
+const Scenario &odeon_scenario()
+{
+    // The camera path is embedded like the scenario itself.
+    static const Scenario odeon = read_scenario(odeon_description(), "odeon.toml",
+                                                {"",
+                                                 [](const std::string &, std::string &path) {
+                                                     path = *recorded_path("odeon");
+                                                     return std::string();
+                                                 },
+                                                 [](const std::string &) { return std::string(); }});
+    return odeon;
+}
+
+}  // namespace scenes
