@@ -64,4 +64,9 @@ void refuse_without(Decoder decoder, const std::string &what)
                known.extension, known.library, built_in().c_str());
 }
 
+void refuse_without_library(const char *what, const char *library)
+{
+    base::fail(CLQ_UNSUPPORTED, "%s is read by %s, and this libclaque-assets was built without it", what, library);
+}
+
 }  // namespace claque::asset

@@ -1,4 +1,5 @@
-// The decoders of compressed data. A build may lack any of them (cmake/decoders.cmake).
+// The libraries that a build may lack (cmake/decoders.cmake): decoders of compressed data, and readers of XML, SQL and
+// gzip.
 #pragma once
 
 #include <string>
@@ -16,5 +17,8 @@ bool decoder_of(std::string_view extension, Decoder &out);
 
 // Throws base::Error (CLQ_UNSUPPORTED): `what` needs the decoder, and the build has others. Names all of them.
 [[noreturn]] void refuse_without(Decoder decoder, const std::string &what);
+
+// Throws base::Error (CLQ_UNSUPPORTED): `what` is read by a library that the build lacks.
+[[noreturn]] void refuse_without_library(const char *what, const char *library);
 
 }  // namespace claque::asset

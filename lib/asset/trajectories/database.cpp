@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "lib/asset/trajectories/libraries.h"
+#include "lib/asset/decoders.h"
 #include "lib/base/error.h"
 
 namespace claque::asset

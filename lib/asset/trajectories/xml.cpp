@@ -7,8 +7,9 @@
 #include <algorithm>
 #include <exception>
 
+#include "lib/asset/decoders.h"
 #include "lib/asset/trajectories/gzip.h"
-#include "lib/asset/trajectories/libraries.h"
+#include "lib/base/error.h"
 
 namespace claque::asset
 {
