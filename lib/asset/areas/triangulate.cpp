@@ -3,270 +3,109 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/asset/areas/outline.h"
+
 namespace claque::asset
 {
 
 namespace
 {
 
-constexpr uint32_t nowhere = 0xffffffffu;
-
-// A corner of the outline that is left. Bridges make two corners of a point.
-struct Corner {
-    Point at;
-    uint32_t point = 0, before = 0, after = 0;
-};
-
-// Positive: c lies left of the way from a to b.
-double side(const Point &a, const Point &b, const Point &c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-bool same(const Point &a, const Point &b) { return a.x == b.x && a.y == b.y; }
-
-// With its edges; the triangle is counter-clockwise.
-bool holds(const Point &a, const Point &b, const Point &c, const Point &p)
-{
-    return side(a, b, p) >= 0 && side(b, c, p) >= 0 && side(c, a, p) >= 0;
-}
-
-class Outline
+class EarClipper : Outline
 {
 public:
-    Outline(const std::vector<Ring> &rings, uint32_t first, std::vector<uint32_t> &out)
-        : origin_(rings[0][0]), first_(first), out_(out)
+    EarClipper(const std::vector<Ring> &rings, uint32_t first, std::vector<uint32_t> &out)
+        : Outline(rings), first_(first), out_(out)
     {
-        std::vector<uint32_t> leftmost;
-        uint32_t point = 0;
-        for (const Ring &ring : rings) {
-            const uint32_t start = add_ring(ring, point);
-            point += static_cast<uint32_t>(ring.size());
-            if (&ring == &rings[0]) at_ = start;
-            else leftmost.push_back(start);
-        }
-        std::stable_sort(leftmost.begin(), leftmost.end(),
-                         [&](uint32_t a, uint32_t b) { return corners_[a].at.x < corners_[b].at.x; });
-        for (const uint32_t hole : leftmost) bridged_ = bridged_ && join(hole);
     }
 
     bool clip()
     {
-        if (!bridged_) return false;
-        drop_flat(at_);
-        uint32_t left = count();
-        // Corners whose ears may have changed. Clipping an ear changes those of its neighbours alone, but for ties.
-        for (int round = 0; left > 3 && round < 8; ++round) {
-            const uint32_t before = left;
-            left = clip_round(left, round % 2 == 1);
-            if (left == before && round % 2 == 1) break;
-        }
-        if (left == 3 && turn(at_) < 0) return false;
-        if (left == 3) emit(at_);
-        return left <= 3;
-    }
-
-private:
-    const Corner &before(uint32_t c) const { return corners_[corners_[c].before]; }
-    const Corner &after(uint32_t c) const { return corners_[corners_[c].after]; }
-    double turn(uint32_t c) const { return side(before(c).at, corners_[c].at, after(c).at); }
-
-    // Gives the leftmost corner.
-    uint32_t add_ring(const Ring &ring, uint32_t point)
-    {
-        const uint32_t start = static_cast<uint32_t>(corners_.size()), n = static_cast<uint32_t>(ring.size());
-        uint32_t leftmost = start;
-        for (uint32_t i = 0; i < n; ++i) {
-            // Far from the origin of a map, differences keep their digits.
-            corners_.push_back({{ring[i].x - origin_.x, ring[i].y - origin_.y},
-                                point + i,
-                                start + (i + n - 1) % n,
-                                start + (i + 1) % n});
-            const Point &at = corners_.back().at, &best = corners_[leftmost].at;
-            if (at.x < best.x || (at.x == best.x && at.y < best.y)) leftmost = start + i;
-        }
-        return leftmost;
-    }
-
-    uint32_t count() const
-    {
-        uint32_t n = 1;
-        for (uint32_t c = corners_[at_].after; c != at_; c = corners_[c].after) ++n;
-        return n;
-    }
-
-    // Whether the way to `other` begins inside of the outline.
-    bool leads_inside(uint32_t c, const Point &other) const
-    {
-        const Point &at = corners_[c].at;
-        if (turn(c) > 0) return side(at, other, after(c).at) <= 0 && side(at, before(c).at, other) <= 0;
-        return side(at, other, before(c).at) > 0 || side(at, after(c).at, other) > 0;
-    }
-
-    // The corner at a place from which the way to `onward` leads inside; or another one there; or nowhere.
-    uint32_t corner_at(const Point &place, const Point &onward) const
-    {
-        uint32_t found = nowhere, c = at_;
-        do {
-            if (same(corners_[c].at, place)) {
-                if (leads_inside(c, onward)) return c;
-                found = c;
-            }
-            c = corners_[c].after;
-        } while (c != at_);
-        return found;
-    }
-
-    // The corner that a hole's leftmost corner can be connected with.
-    uint32_t bridge_of(uint32_t hole) const
-    {
-        const Point h = corners_[hole].at;
-        if (const uint32_t touched = corner_at(h, after(hole).at); touched != nowhere) return touched;
-        double reached = -HUGE_VAL;
-        uint32_t best = nowhere, c = at_;
-        do {
-            const Point &a = corners_[c].at, &b = after(c).at;
-            // Edges that run down have the inside on their right, where the hole is.
-            if (h.y <= a.y && h.y >= b.y && a.y != b.y) {
-                const double x = a.x + (h.y - a.y) * (b.x - a.x) / (b.y - a.y);
-                if (x <= h.x && x > reached) {
-                    reached = x;
-                    best = a.x < b.x ? c : corners_[c].after;
-                    if (x == h.x) return best;
-                }
-            }
-            c = corners_[c].after;
-        } while (c != at_);
-        return best == nowhere ? best : nearest_in_sight(best, h, reached);
-    }
-
-    // Corners between the hole, the edge that the ray to the left met, and that edge's end hide the end.
-    uint32_t nearest_in_sight(uint32_t best, const Point &h, double reached) const
-    {
-        const Point m = corners_[best].at, hit{reached, h.y};
-        const uint32_t stop = best;
-        double least = HUGE_VAL;
-        uint32_t c = best;
-        do {
-            const Point &p = corners_[c].at;
-            const bool between = h.x > p.x && p.x >= m.x && (h.y < m.y ? holds(h, m, hit, p) : holds(hit, m, h, p));
-            if (between && leads_inside(c, h)) {
-                const double slope = std::fabs(h.y - p.y) / (h.x - p.x);
-                const Point &b = corners_[best].at;
-                if (slope < least || (slope == least && (p.x > b.x || (p.x == b.x && sector_holds(best, c)))))
-                    best = c, least = slope;
-            }
-            c = corners_[c].after;
-        } while (c != stop);
-        return best;
-    }
-
-    // Of two corners at one place: whether the second one's angle lies in the first one's.
-    bool sector_holds(uint32_t m, uint32_t p) const
-    {
-        return side(before(m).at, corners_[m].at, before(p).at) > 0 &&
-               side(after(p).at, corners_[m].at, after(m).at) > 0;
-    }
-
-    bool join(uint32_t hole)
-    {
-        const uint32_t bridge = bridge_of(hole);
-        if (bridge == nowhere) return false;
-        // There and back: each end becomes two corners.
-        const uint32_t bridge_again = static_cast<uint32_t>(corners_.size()), hole_again = bridge_again + 1;
-        corners_.push_back(corners_[bridge]), corners_.push_back(corners_[hole]);
-        const uint32_t onward = corners_[bridge].after, around = corners_[hole].before;
-        corners_[bridge].after = hole, corners_[hole].before = bridge;
-        corners_[bridge_again].after = onward, corners_[onward].before = bridge_again;
-        corners_[hole_again].after = bridge_again, corners_[bridge_again].before = hole_again;
-        corners_[around].after = hole_again, corners_[hole_again].before = around;
+        if (!joined_) return false;
+        known_.resize(corners_.size());
+        left_ = static_cast<uint32_t>(corners_.size());
+        for (uint32_t i = left_; i > 0; --i) at_ = corners_[settle(at_)].after;
+        // A corner that goes may have hidden ears elsewhere, so there is a second round. Points that lie on a cut but
+        // for rounding hide it at first, and then no longer.
+        for (const double nearness : {-tiny_, -tiny_, tiny_, tiny_}) clip_round(nearness);
+        if (left_ > 3 || turn(at_) < -tiny_) return false;
+        if (turn(at_) > tiny_) emit(at_);
         return true;
     }
 
-    void unlink(uint32_t c)
+private:
+    // On a straight way, or the tip of a spike: it encloses nothing.
+    bool is_flat(uint32_t c) const
     {
-        corners_[corners_[c].before].after = corners_[c].after;
-        corners_[corners_[c].after].before = corners_[c].before;
-        if (at_ == c) at_ = corners_[c].after;
+        return std::fabs(turn(c)) <= tiny_ || same(corners_[c].at, before(c).at) || same(corners_[c].at, after(c).at);
     }
 
-    // Drops corners on a straight way, and spikes: they enclose nothing.
-    void drop_flat(uint32_t from)
+    // Whether the way from a convex corner to `p` begins between its edges.
+    bool in_angle(uint32_t c, const Point &p) const
     {
-        uint32_t c = from, stop = from;
-        bool again = true;
-        while (again || c != stop) {
-            again = false;
-            if (corners_[c].after == corners_[c].before) return;
-            if (same(corners_[c].at, after(c).at) || turn(c) == 0) {
-                const uint32_t back = corners_[c].before;
-                unlink(c);
-                c = stop = back;
-                again = true;
-            } else {
-                c = corners_[c].after;
-            }
-        }
-        at_ = c;
+        return side(before(c).at, corners_[c].at, p) > tiny_ && side(corners_[c].at, after(c).at, p) > tiny_;
     }
 
-    bool is_ear(uint32_t c, bool loosely) const
+    bool is_ear(uint32_t c, double nearness) const
     {
         const Point &a = before(c).at, &b = corners_[c].at, &d = after(c).at;
-        if (!(side(a, b, d) > 0)) return false;
+        if (!(side(a, b, d) > tiny_)) return false;
         const double low_x = std::min({a.x, b.x, d.x}), high_x = std::max({a.x, b.x, d.x});
         const double low_y = std::min({a.y, b.y, d.y}), high_y = std::max({a.y, b.y, d.y});
         for (uint32_t p = corners_[corners_[c].after].after; p != corners_[c].before; p = corners_[p].after) {
             const Point &at = corners_[p].at;
             if (at.x < low_x || at.x > high_x || at.y < low_y || at.y > high_y) continue;
-            // The other end of a bridge, at a corner of the ear, is in nobody's way.
-            if (same(at, a) || (loosely && (same(at, b) || same(at, d)))) continue;
-            if (turn(p) <= 0 && holds(a, b, d, at)) return false;
+            // A corner at an end of the cut does not hide it; one at the tip does, if its edges cross the cut.
+            if (same(at, a) || same(at, d)) continue;
+            if (same(at, b)) {
+                if (in_angle(c, before(p).at) || in_angle(c, after(p).at)) return false;
+                continue;
+            }
+            if (turn(p) <= tiny_ && holds(a, b, d, at, nearness)) return false;
         }
         return true;
     }
 
-    // Clips ears until a whole way round finds none; gives the number of corners left.
-    uint32_t clip_round(uint32_t left, bool loosely)
+    // Drops a corner and its neighbours while they are flat. Gives one that stays.
+    uint32_t settle(uint32_t c)
     {
+        while (left_ > 3) {
+            const uint32_t flat = is_flat(c) ? c : corners_[c].after;
+            if (!is_flat(flat)) break;
+            c = corners_[flat].before;
+            drop(flat);
+        }
+        return c;
+    }
+
+    void drop(uint32_t c)
+    {
+        corners_[corners_[c].before].after = corners_[c].after;
+        corners_[corners_[c].after].before = corners_[c].before;
+        known_[corners_[c].before] = known_[corners_[c].after] = false;
+        if (at_ == c) at_ = corners_[c].after;
+        --left_;
+    }
+
+    // Clips ears until a whole way round finds none.
+    void clip_round(double nearness)
+    {
+        known_.assign(corners_.size(), false);
         uint32_t c = at_;
-        uint32_t tried = 0;
-        std::vector<bool> known(corners_.size());  // not an ear, and no neighbour has changed since
-        while (left > 3 && tried < left) {
-            if (known[c] || !is_ear(c, loosely)) {
-                known[c] = true;
+        for (uint32_t tried = 0; left_ > 3 && tried < left_;) {
+            if (known_[c] || !is_ear(c, nearness)) {
+                known_[c] = true;
                 c = corners_[c].after, ++tried;
                 continue;
             }
             emit(c);
-            const uint32_t back = corners_[c].before, next = corners_[c].after;
-            unlink(c);
-            --left, tried = 0;
-            known[back] = known[next] = false;
-            left -= drop_if_flat(back, known, left);
+            const uint32_t back = corners_[c].before;
+            drop(c);
+            tried = 0;
             // Beginning elsewhere gives less slender triangles.
-            c = corners_[next].after;
+            c = corners_[corners_[settle(back)].after].after;
         }
         at_ = c;
-        return left;
-    }
-
-    // A corner that clipping has made straight. Gives how many went.
-    uint32_t drop_if_flat(uint32_t c, std::vector<bool> &known, uint32_t left)
-    {
-        uint32_t gone = 0;
-        for (int k = 0; k < 2 && left - gone > 3; ++k) {
-            const uint32_t next = corners_[c].after;
-            if (turn(c) != 0) {
-                c = next;
-                continue;
-            }
-            known[corners_[c].before] = known[next] = false;
-            unlink(c);
-            ++gone;
-            c = next;
-        }
-        return gone;
     }
 
     void emit(uint32_t c)
@@ -275,12 +114,10 @@ private:
             out_.push_back(first_ + corners_[corner].point);
     }
 
-    Point origin_;
     uint32_t first_;
     std::vector<uint32_t> &out_;
-    std::vector<Corner> corners_;
-    uint32_t at_ = 0;
-    bool bridged_ = true;
+    std::vector<bool> known_;  // not an ear, and no neighbour has changed since
+    uint32_t left_ = 0;
 };
 
 }  // namespace
@@ -294,7 +131,7 @@ double signed_area(const Ring &ring)
 
 bool triangulate(const std::vector<Ring> &rings, uint32_t first, std::vector<uint32_t> &out)
 {
-    return Outline(rings, first, out).clip();
+    return EarClipper(rings, first, out).clip();
 }
 
 }  // namespace claque::asset

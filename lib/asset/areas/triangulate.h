@@ -1,5 +1,5 @@
-// Fills a polygon with triangles by clipping ears (Meisters 1975); holes are first connected with the outside by
-// bridges (Eberly, "Triangulation by Ear Clipping").
+// Fills a polygon with triangles by clipping ears (Meisters 1975); holes are first joined with the outside, where they
+// touch it or by bridges (Eberly, "Triangulation by Ear Clipping").
 #pragma once
 
 #include "lib/asset/areas/area.h"

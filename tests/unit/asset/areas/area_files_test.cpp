@@ -145,6 +145,45 @@ TEST(Areas, ThatTouchThemselvesAreFilled)
     }
 }
 
+// Obstacles that touch at corners, three of them at one place, and corners that lie on cuts and in the way of bridges:
+// a turned building and a map far from the origin round what was exact.
+TEST(Areas, OfObstaclesThatTouchAreFilledWhereverTheyLie)
+{
+    using Rings = std::vector<asset::Ring>;
+    const Rings rooms[] = {
+        {{{0, 0}, {6, 0}, {6, 6}, {0, 6}},
+         {{2, 3}, {2, 2}, {3, 2}},
+         {{4, 3}, {3, 3}, {3, 2}},
+         {{4, 2}, {5, 2}, {4, 3}}},
+        {{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 3}},
+         {{1, 2}, {2, 2}, {0, 3}},
+         {{2, 1}, {3, 2}, {2, 2}},
+         {{3, 3}, {1, 3}, {2, 2}}},
+        {{{4, 0}, {0, 0}, {0, 4}, {3, 4}, {3, 3}, {2, 3}, {2, 2}, {2.5, 2.5}, {3, 2}, {4, 2}}},
+        {{{4, 0}, {0, 0}, {0, 4}, {4, 4}, {4, 2}}, {{2, 3}, {3, 2}, {4, 2}}, {{1, 2}, {2, 1}, {3, 2}}},
+        {{{8, 8}, {8, 0}, {0, 0}, {0, 8}, {3, 8}},
+         {{2, 7}, {3, 7}, {3, 8}},
+         {{4, 4}, {4, 3}, {5, 4}},
+         {{3, 5}, {4, 6}, {3, 6}},
+         {{1, 7}, {2, 6}, {3, 6}}}};
+    const double areas[] = {36 - 1.5, 16 - 2, 13.25, 14.5, 64 - 2};
+    for (int room = 0; room < 5; ++room)
+        for (const double turn : {0.0, 0.3, 0.7, 1.0})
+            for (const double far : {0.0, 570000.1}) {
+                SCOPED_TRACE(base::text_of("room %d turned by %g at %g", room, turn, far));
+                Rings placed = rooms[room];
+                for (asset::Ring &ring : placed)
+                    for (asset::Point &p : ring)
+                        p = {p.x * std::cos(turn) - p.y * std::sin(turn) + far,
+                             p.x * std::sin(turn) + p.y * std::cos(turn) + 10 * far};
+                asset::AreaBuilder builder;
+                ASSERT_NO_THROW(builder.add_polygon(placed));
+                const asset::Area area = builder.take();
+                EXPECT_NEAR(area.area_m2, areas[room], far > 0 ? 1e-6 : 1e-12);
+                expect_filled(area);
+            }
+}
+
 // A spiral has few ears at a time.
 TEST(Areas, OfManyTurnsAreFilled)
 {
