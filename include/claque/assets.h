@@ -74,8 +74,11 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
  *     About 2 s, once: from that pose to the beginning of stand, and back.
  *   stand_wave, stand_laugh, stand_applaud, stand_cheer
  *     They begin and end as stand.
- *   jog
- *     In step with walk: in both the left foot comes down at the beginning, the right one in the middle.
+ *   jog, walk_slow, turn
+ *     In step with walk: in all of them the left foot comes down at the beginning, the right one in the middle. turn
+ *     steps on the spot, for people that turn while they stand (claque/track.h).
+ *   stand_look, stand_shift
+ *     They begin and end as stand: looking round, and resting on one leg after the other.
  * Two are flying actors of rigid parts on 14 nodes with 19 degrees of freedom, levels of detail (S0 7.1), and the clips
  * fly, glide and hover:
  *   "herald"     a winged youth with trumpet and scroll, 10 zones
@@ -85,11 +88,11 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
 
-/* Makes one of the four people with more clips (S1 8: 150 clips): its own nineteen, and variants of each in turn, until
+/* Makes one of the four people with more clips (S1 8: 150 clips): its own twenty-three, and variants of each in turn, until
  * there are clip_count. Variants differ in tempo, timing, amplitude, the leading hand and an added swaying. They are
  * named "sit_talk.03" and the like. What holds for a clip (loops, seats, common beginnings and ends) holds for its
  * variants. All calls give the same bytes.
- *   clip_count   [19, 2000]
+ *   clip_count   [23, 2000]
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin_varied(clq_context *context, const char *name, uint32_t clip_count,
                                             clq_asset **out);

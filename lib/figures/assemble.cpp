@@ -50,6 +50,8 @@ model::Model assemble(const Figure &figure)
     model.name = figure.name;
     add_skeleton(model.rig);
     for (const ClipMaker &clip : figure.clips) add_clip(model.rig, clip, figure.fit);
+    model.first_late_clip = first_late_clip;
+    model.late_clip_count = static_cast<uint32_t>(figure.clips.size()) - first_late_clip;
     model.zones = zones_of(figure.zones);
     std::vector<Painter> painters = {figure.painter};
     for (const Figure::TextureSet &look : figure.texture_sets) painters.push_back(look.painter);

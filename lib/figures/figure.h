@@ -10,10 +10,10 @@
 namespace claque::figures
 {
 
-// All people have the same nineteen clips, in this order, with their lengths in seconds:
+// All people have the same twenty-three clips, in this order, with their lengths in seconds:
 //   stand 6, walk 1.1, applaud 2.4, cheer 2; sit 7, sit_lean 9, sit_look 8, sit_talk 8.5, sit_applaud 5.5,
 //   sit_cheer 4.5, sit_laugh 5, sit_wave 4; rise 2, sit_down 2.1; stand_wave 4, stand_laugh 5,
-//   stand_applaud 5, stand_cheer 4; jog 0.73.
+//   stand_applaud 5, stand_cheer 4; jog 0.73, walk_slow 1.2, turn 1; stand_look 7, stand_shift 8.
 // Seated clips expect a seat whose top is 0.43 m above the ground under the feet and whose front edge is 0.17 m behind
 // the origin, and stay within 0.31 m to either side. Each begins and ends in the same neutral pose, so that any of them
 // may follow any other at phase 0. rise and sit_down are not loops: rise goes from that pose to the beginning of stand,
@@ -55,7 +55,7 @@ struct Builtin {
     const char *name;
     model::Model (*make)();
 };
-const std::vector<Builtin> &people();    // those with the shared skeleton and the nineteen clips
+const std::vector<Builtin> &people();    // those with the shared skeleton and the twenty-three clips
 const std::vector<Builtin> &builtins();  // all built-in characters
 
 }  // namespace claque::figures

@@ -60,8 +60,11 @@ std::vector<double> joint_displacements(const model::Model &model, const std::ve
     std::vector<math::Affine> back;
     for (const math::Affine &matrix : workspace.pose(model::none, 0)) back.push_back(math::inverse(matrix));
     std::vector<double> squares(rig.palette.size(), 0);
-    const uint32_t clips = std::min(max_clips, static_cast<uint32_t>(rig.clips.size()));
-    for (uint32_t clip = 0; clip < clips; ++clip)
+    const uint32_t count = static_cast<uint32_t>(rig.clips.size()), first_late = model.first_late_clip;
+    const uint32_t late = first_late > 0 && first_late + model.late_clip_count <= count ? model.late_clip_count : 0;
+    const uint32_t clips = std::min(max_clips, count - late);
+    for (uint32_t k = 0; k < clips; ++k) {
+        const uint32_t clip = k < first_late ? k : k + late;
         for (uint32_t i = 0; i < poses_per_clip; ++i) {
             const model::Clip &c = rig.clips[clip];
             const base::Span<const math::Affine> palette =
@@ -77,6 +80,7 @@ std::vector<double> joint_displacements(const model::Model &model, const std::ve
                 }
             }
         }
+    }
     for (double &square : squares) square = std::sqrt(square / (double(clips) * poses_per_clip));
     return squares;
 }

@@ -123,6 +123,9 @@ struct Model {
     std::vector<TextureSet> texture_sets;  // besides the materials' own
     std::vector<Part> parts;               // file order: nodes depth first, primitives in order
     std::vector<RootMotionRequest> root_motions;
+    // Clips that came when levels of detail were accepted already: they do not count for what joints levels keep apart,
+    // so that a character keeps its levels.
+    uint32_t first_late_clip = 0, late_clip_count = 0;
     std::vector<std::string> warnings;
 
     // Bytes read, bytes after decompression and 4 bytes a decoded pixel; 0 without a file. The split may take a small

@@ -52,7 +52,7 @@ Table read_npy(const std::string &path)
 TEST_F(Files, InspectAsJsonSaysWhatTheCitizenIs)
 {
     const Json json = inspected("citizen");
-    EXPECT_EQ(json["loaded"]["clips"].size(), 19u);
+    EXPECT_EQ(json["loaded"]["clips"].size(), 23u);
     EXPECT_EQ(json["split"]["zones"].size(), 8u);
     EXPECT_EQ(json["split"]["clean"].get<int>() + json["split"]["dirty"].get<int>(),
               json["split"]["triangles"].get<int>());

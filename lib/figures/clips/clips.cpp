@@ -76,7 +76,11 @@ const std::vector<ClipMaker> &figure_clips()
                                                {"stand_laugh", 150, stand_laugh_at},
                                                {"stand_applaud", 150, stand_applaud_at},
                                                {"stand_cheer", 120, stand_cheer_at},
-                                               {"jog", 22, jog_at}};
+                                               {"jog", 22, jog_at},
+                                               {"walk_slow", 36, walk_slow_at},
+                                               {"turn", 30, turn_at},
+                                               {"stand_look", 210, stand_look_at},
+                                               {"stand_shift", 240, stand_shift_at}};
     return all;
 }
 

@@ -29,12 +29,17 @@ struct ClipMaker {
     Ending ending = Ending::closed;
 };
 
-// The clips of every built-in character, in this order.
+// The clips of every built-in character, in this order. Later ones are appended: clips keep their numbers.
 const std::vector<ClipMaker> &figure_clips();
+
+// walk_slow: it and those after it move as the others do, and levels of detail are not fitted to them.
+constexpr uint32_t first_late_clip = 19;
 
 Pose stand_at(float phase);
 Pose walk_at(float phase);
 Pose jog_at(float phase);
+Pose walk_slow_at(float phase);
+Pose turn_at(float phase);
 Pose applaud_at(float phase);
 Pose cheer_at(float phase);
 float cheer_heels_deg(float phase);  // height of the heels off the ground
@@ -55,6 +60,8 @@ Pose stand_wave_at(float phase);
 Pose stand_laugh_at(float phase);
 Pose stand_applaud_at(float phase);
 Pose stand_cheer_at(float phase);
+Pose stand_look_at(float phase);
+Pose stand_shift_at(float phase);
 
 // Changes a pose so that it suits a figure of another build: a function of the pose alone, so that clips still join.
 using Fit = void (*)(Pose &);

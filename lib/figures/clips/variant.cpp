@@ -24,7 +24,9 @@ float draw(uint64_t seed, uint64_t what) { return base::unit(base::hash(seed, wh
 
 bool is_gait(const ClipMaker &maker)
 {
-    return std::strcmp(maker.name, "walk") == 0 || std::strcmp(maker.name, "jog") == 0;
+    for (const char *name : {"walk", "jog", "walk_slow", "turn"})
+        if (std::strcmp(maker.name, name) == 0) return true;
+    return false;
 }
 
 // True for clips that begin and end in a pose shared with other clips.

@@ -92,13 +92,13 @@ inline int frames(uint32_t c) { return frames(citizen(), c); }
 inline float degrees(float radians) { return radians * 57.29578f; }
 inline float angle(quat q) { return degrees(2 * std::acos(std::fmin(1.0f, std::fabs(q.w)))); }
 
-constexpr const char *clip_names[] = {"stand",       "walk",          "applaud",     "cheer",       "sit",
-                                      "sit_lean",    "sit_look",      "sit_talk",    "sit_applaud", "sit_cheer",
-                                      "sit_laugh",   "sit_wave",      "rise",        "sit_down",    "stand_wave",
-                                      "stand_laugh", "stand_applaud", "stand_cheer", "jog"};
+constexpr const char *clip_names[] = {
+    "stand",         "walk",        "applaud",   "cheer",     "sit",  "sit_lean",   "sit_look",   "sit_talk",
+    "sit_applaud",   "sit_cheer",   "sit_laugh", "sit_wave",  "rise", "sit_down",   "stand_wave", "stand_laugh",
+    "stand_applaud", "stand_cheer", "jog",       "walk_slow", "turn", "stand_look", "stand_shift"};
 // Standing, in place.
-constexpr const char *standing_clips[] = {"stand",       "applaud",       "cheer",      "stand_wave",
-                                          "stand_laugh", "stand_applaud", "stand_cheer"};
+constexpr const char *standing_clips[] = {"stand",         "applaud",     "cheer",      "stand_wave", "stand_laugh",
+                                          "stand_applaud", "stand_cheer", "stand_look", "stand_shift"};
 constexpr const char *seated_clips[] = {"sit",         "sit_lean",  "sit_look",  "sit_talk",
                                         "sit_applaud", "sit_cheer", "sit_laugh", "sit_wave"};
 // Sitting down or standing up: the two clips that do not loop.
