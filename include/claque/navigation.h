@@ -127,6 +127,10 @@ typedef struct clq_walkers_def {
     uint32_t piece_ticks;  /* [2, 200] of a piece of a track. Default 10 */
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
+    /* [0, 5] seconds that a walker keeps to the one before it: its speed is at most the gap between them divided by this.
+     * 0: it walks at full speed until it avoids. Default 0.4: a wide door then lets about as many people through as were
+     * measured (docs/navigation.md) */
+    float time_gap_s;
 } clq_walkers_def;
 
 static inline clq_walkers_def clq_walkers_def_init(void)
@@ -140,6 +144,7 @@ static inline clq_walkers_def clq_walkers_def_init(void)
     def.piece_ticks = 10;
     def.plans = 32;
     def.smooth_s = 0.6f;
+    def.time_gap_s = 0.4f;
     return def;
 }
 

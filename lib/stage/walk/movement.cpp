@@ -9,7 +9,8 @@ namespace claque::walk
 namespace
 {
 
-constexpr double kept_pieces_s = 1.2;  // of pieces behind the time decided: places are asked for up to a second before it
+constexpr double kept_pieces_s =
+    1.2;  // of pieces behind the time decided: places are asked for up to a second before it
 constexpr double moment_s = 1e-9;
 
 }  // namespace

@@ -14,7 +14,6 @@ namespace
 constexpr double ahead_s = 1;  // guessed behind the end of a piece
 constexpr double guess_step_s = 0.1;
 constexpr double kept_before_s = 2;
-constexpr double min_piece_s = 0.0999;
 
 }  // namespace
 
@@ -24,9 +23,8 @@ void Walkers::publish()
         Body &body = bodies_[i];
         if (!body.used() || !body.locomotion) continue;
         // Each at a tick of its own, so that no tick makes all pieces.
-        const double elapsed_s = time_s() - body.piece_end_s, piece_s = def_.piece_ticks * def_.tick_s;
-        const bool due = (ticks_ + i) % def_.piece_ticks == 0 || elapsed_s > piece_s - 1e-9;
-        if (due && elapsed_s > min_piece_s) publish(i);
+        const bool due = ticks_ % def_.piece_ticks == body.border;
+        if (due && time_s() - body.piece_end_s > min_piece_s) publish(i);
     }
     all_published_ = true;
 }

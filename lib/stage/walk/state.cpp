@@ -35,6 +35,9 @@ void walk_agent(Archive &archive, dtCrowdAgent &a)
     floats(archive, a.vel, 3);
     floats(archive, a.nvel, 3), floats(archive, a.dvel, 3);
     floats(archive, a.targetPos, 3);
+    archive.number(a.nneis);
+    if (a.nneis < 0 || a.nneis > DT_CROWDAGENT_MAX_NEIGHBOURS) bad_save("a walker has too many neighbours");
+    for (int k = 0; k < a.nneis; ++k) numbers(archive, a.neis[k].idx, a.neis[k].dist);
 }
 
 void walk_piece(stage::SaveWriter &out, const HeldTrack &piece, const clq_locomotion *)
@@ -98,8 +101,8 @@ void Walkers::walk_body(Archive &archive, uint32_t i, const std::vector<const cl
     walk_agent(archive, a);
     number_of_enum(archive, body.state, CLQ_WALKER_BLOCKED);
     floats(archive, body.goal.data(), 3), floats(archive, body.end.data(), 3);
-    numbers(archive, body.goal_ref, body.near_m, body.own_speed, body.complete, body.cut, body.heading_rad, body.scale,
-            body.seed, body.piece_end_s);
+    numbers(archive, body.goal_ref, body.near_m, body.own_speed, body.speed, body.complete, body.cut, body.heading_rad,
+            body.scale, body.seed, body.piece_end_s, body.border);
     auto number =
         static_cast<uint32_t>(std::find(locomotions.begin(), locomotions.end(), body.locomotion) - locomotions.begin());
     archive.number(number);
@@ -137,11 +140,15 @@ void Walkers::check_saved(uint32_t i) const
 {
     const Body &body = bodies_[i];
     const dtCrowdAgent &a = agent(i);
-    bool good = a.params.radius >= 0.05f && a.params.radius <= def_.max_radius_m && a.params.maxSpeed > 0 &&
-                a.params.maxSpeed <= 8 && a.params.maxAcceleration > 0 && a.params.maxAcceleration <= 50 &&
+    bool good = a.params.radius >= 0.05f && a.params.radius <= def_.max_radius_m && body.speed > 0 && body.speed <= 8 &&
+                a.params.maxAcceleration > 0 && a.params.maxAcceleration <= 50 &&
                 a.params.queryFilterType <= everything_filter && body.near_m > 0 && body.scale > 0;
     good = good && (a.targetState == DT_CROWDAGENT_TARGET_NONE || a.targetState == DT_CROWDAGENT_TARGET_VALID);
     good = good && (a.targetState == DT_CROWDAGENT_TARGET_NONE || mesh_.nav->isValidPolyRef(a.targetRef));
+    for (int k = 0; k < a.nneis; ++k)
+        good = good && a.neis[k].idx >= 0 && static_cast<size_t>(a.neis[k].idx) < bodies_.size();
+    good = good && a.params.maxSpeed > 0 && a.params.maxSpeed <= 8;
+    good = good && body.border < def_.piece_ticks;
     good = good && (body.goal_ref == 0 || mesh_.nav->isValidPolyRef(body.goal_ref));
     for (const float *vector :
          {a.npos, a.vel, a.nvel, a.dvel, a.targetPos, body.goal.data(), body.end.data(), a.corridor.getTarget()})

@@ -22,6 +22,7 @@ clq_walkers_def checked(const clq_walkers_def &def)
     require_range("piece_ticks times tick_s", def.piece_ticks * def.tick_s, 0.0999, 10);
     require_range("plans", def.plans, 1, 16000);
     require_range("smooth_s", double(def.smooth_s), 0, 2);
+    require_range("time_gap_s", double(def.time_gap_s), 0, 5);
     return def;
 }
 
@@ -113,12 +114,22 @@ clq_walker Walkers::add(const clq_walker_def &def)
     body = Body();
     body.generation = generation;
     body.locomotion = def.locomotion, body.scale = def.scale, body.seed = def.seed;
-    body.heading_rad = def.heading_rad, body.own_speed = def.speed_m_s;
+    body.heading_rad = def.heading_rad, body.own_speed = body.speed = def.speed_m_s;
     body.points = std::move(points);
     body.piece_end_s = time_s();
+    body.border = first_border(static_cast<uint32_t>(i));
     ++count_;
     record(static_cast<uint32_t>(i));
     return id_of(static_cast<uint32_t>(i));
+}
+
+// Walkers have their borders at different ticks, but none so soon that its first piece would be too short.
+uint32_t Walkers::first_border(uint32_t i) const
+{
+    const uint32_t now = static_cast<uint32_t>(ticks_ % def_.piece_ticks);
+    const auto least = static_cast<uint32_t>(std::ceil(min_piece_s / def_.tick_s));
+    const uint32_t away = std::max(i % def_.piece_ticks + 1, least);
+    return (now + away) % def_.piece_ticks;
 }
 
 void Walkers::remove(clq_walker id)
@@ -148,7 +159,7 @@ void Walkers::go(clq_walker id, const double goal[3], float near_m, float speed_
     body.goal = place, body.goal_ref = ref, body.near_m = near_m;
     body.state = CLQ_WALKER_WAITS;
     body.heading_rad = NAN;
-    agent(i).params.maxSpeed = speed_m_s > 0 ? speed_m_s : body.own_speed;
+    body.speed = speed_m_s > 0 ? speed_m_s : body.own_speed;
 }
 
 void Walkers::stop(clq_walker id)
@@ -168,7 +179,7 @@ void Walkers::stand_since(clq_walker id, double time_s)
     if (!body.locomotion || !(time_s < this->time_s())) return;
     body.points.insert(body.points.begin(), body.points.back());
     body.points.front().time_s = body.piece_end_s = time_s;
-    if (this->time_s() - time_s > 0.0999) publish(i);
+    if (this->time_s() - time_s > min_piece_s) publish(i);
 }
 
 void Walkers::get(clq_walker id, clq_walker_info &out) const

@@ -18,6 +18,8 @@ struct FreeTrack {
 };
 using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 
+constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wants
+
 // Filters of the crowd's agents.
 constexpr unsigned char open_filter = 0, everything_filter = 1;
 
@@ -27,9 +29,9 @@ struct Body {
     clq_walker_state state = CLQ_WALKER_STANDS;
     Float3 goal{}, end{};  // end: of the way that was found
     dtPolyRef goal_ref = 0;
-    float near_m = 0.3f, own_speed = 1;
-    bool complete = true;  // the way leads to the goal
-    bool cut = false;      // it has as many polygons as a way can have, and goes on
+    float near_m = 0.3f, own_speed = 1, speed = 1;  // speed: of the present goal
+    bool complete = true;                           // the way leads to the goal
+    bool cut = false;                               // it has as many polygons as a way can have, and goes on
     // Of its track.
     const clq_locomotion *locomotion = nullptr;
     float heading_rad = 0;  // at which it rests; NaN: any
@@ -38,6 +40,7 @@ struct Body {
     std::vector<clq_track_point> points;  // from a little before the next piece on
     HeldTrack piece;
     double piece_end_s = 0;
+    uint32_t border = 0;  // its pieces end at the ticks that leave this remainder
 
     bool used() const { return generation & 1; }
 };
@@ -85,11 +88,13 @@ private:
     void see_doors();
     void plan_ways();
     void plan(uint32_t i);
+    void keep_distance(uint32_t i);
     // After it.
     void look_round(uint32_t i);
     void record(uint32_t i);
     void publish();
     void publish(uint32_t i);
+    uint32_t first_border(uint32_t i) const;
     template <class Archive>
     void walk_totals(Archive &archive);
     template <class Archive>

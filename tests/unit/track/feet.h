@@ -33,7 +33,7 @@ private:
 // The sole of a foot at a time, metres in the world.
 struct SolesInWorld {
     std::vector<glm::dvec3> points;
-    double ground;
+    double ground = 0;
 };
 SolesInWorld soles_at(Soles &soles, const track::Track &track, int foot, double time_s, bool held);
 

@@ -252,6 +252,9 @@ TEST_F(Movement, RefusesBytesThatAreNoMovement)
         std::vector<uint8_t> changed = bytes;
         changed[at] ^= at % 2 ? 0xff : 0x01;
         if (refused(changed)) continue;
-        run(*other, 60, 64);
+        try {
+            run(*other, 60, 64);
+        } catch (const stage::Error &) {  // such as a walker of another size than its track
+        }
     }
 }
