@@ -7,6 +7,7 @@
 #include <claque/stage.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "lib/stage/agents/runner.h"
@@ -93,6 +94,8 @@ private:
     Phase phase_ = Phase::messages;
     std::vector<Task> messages_;
     std::vector<Neighbours::Found> found_;
+    std::vector<std::pair<double, uint32_t>> keys_;
+    std::vector<Command> ordered_;
     Moved moved_;
     Agent scratch_;
     Outcome outcome_;

@@ -46,17 +46,23 @@ void Director::take_moved()
     }
 }
 
+// Orders the tick's commands by time. Keys are sorted and not commands, which are large.
 void Director::publish()
 {
-    std::sort(commands.begin(), commands.end(), [](const Command &a, const Command &b) {
-        return a.at_s < b.at_s || (a.at_s == b.at_s && a.order < b.order);
-    });
+    keys_.clear();
+    for (const Command &command : commands) keys_.push_back({command.at_s, command.order});
+    std::sort(keys_.begin(), keys_.end());
+    ordered_.clear();
+    ordered_.reserve(keys_.size());
     uint64_t with_these = hash;
-    for (const Command &command : commands) with_these = sum(with_these, command);
-    const uint64_t count = commands.size();
-    handover.publish(commands, end_s());
+    for (const auto &[at_s, order] : keys_) {
+        ordered_.push_back(commands[order]);
+        with_these = sum(with_these, ordered_.back());
+    }
+    handover.publish(ordered_, end_s());
     hash = with_these;
-    command_count += count;
+    command_count += commands.size();
+    commands.clear();
     ++tick;
 }
 
