@@ -71,7 +71,7 @@ def test_a_restored_stage_has_the_same_future(stage):
 
 
 def test_a_wrong_machine_is_refused_by_line(stage, citizen):
-    with pytest.raises(claque.Error, match="bad, line 3, column 34: there is no state 'b'"):
+    with pytest.raises(claque.Error, match="bad, line 3, column 35: there is no state 'b'"):
         stage.machine("machine = \"m\"\n[states.a]\ntransitions = [ { after = 1, to = \"b\" } ]\n", citizen, name="bad")
     with pytest.raises(TypeError):
         claque.Stage(stage.crowd, sed=3)

@@ -9,7 +9,7 @@ namespace claque::stage
 void Scheduler::save(SavedStage &out, const Worker &worker) const
 {
     std::vector<Key> keys = heap_;
-    std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) { return later(b, a); });
+    std::sort(keys.begin(), keys.end(), [](const Key &a, const Key &b) { return Later()(b, a); });
     for (const Key &key : keys)
         if (is_of_stage(tasks_[key.slot].kind) || worker.is_alive(tasks_[key.slot]))
             out.waiting.push_back(tasks_[key.slot]);

@@ -47,7 +47,7 @@ void Scheduler::put(const Task &task)
         tasks_[slot] = task;
     }
     heap_.push_back({task.due_s, task.order, slot});
-    std::push_heap(heap_.begin(), heap_.end(), later);
+    std::push_heap(heap_.begin(), heap_.end(), Later());
 }
 
 // Moves what is due to the classes. What the stage itself has to do is done here, in the order of time.
@@ -56,7 +56,7 @@ void Scheduler::collect(Worker &worker)
     while (!heap_.empty() && heap_.front().due_s <= end_s_) {
         const Key key = heap_.front();
         const Task task = tasks_[key.slot];
-        std::pop_heap(heap_.begin(), heap_.end(), later);
+        std::pop_heap(heap_.begin(), heap_.end(), Later());
         heap_.pop_back();
         try {
             if (is_of_stage(task.kind)) worker.prepare(task);
@@ -66,7 +66,7 @@ void Scheduler::collect(Worker &worker)
             }
         } catch (...) {
             heap_.push_back(key);  // it had room a moment ago
-            std::push_heap(heap_.begin(), heap_.end(), later);
+            std::push_heap(heap_.begin(), heap_.end(), Later());
             throw;
         }
         forget(key.slot);

@@ -68,10 +68,12 @@ private:
         uint64_t order;
         uint32_t slot;
     };
-    static bool later(const Key &a, const Key &b)
-    {
-        return a.due_s > b.due_s || (a.due_s == b.due_s && a.order > b.order);
-    }
+    struct Later {  // a type, so that the heap's functions contain it
+        bool operator()(const Key &a, const Key &b) const
+        {
+            return a.due_s > b.due_s || (a.due_s == b.due_s && a.order > b.order);
+        }
+    };
     struct Queue {
         std::vector<uint32_t> slots;
         size_t first = 0;
