@@ -181,6 +181,9 @@ TEST_F(BrokenRecords, NameWhatIsWrong)
     EXPECT_EQ(has(problem(Kind::after_calls, {}), "an entry of kind 50, which this library does not know"), "");
     EXPECT_EQ(has(problem(Kind::crowd_def, {}), "or a second one"), "");
     EXPECT_EQ(has(problem(Kind::step, {0, 0, 0, 0, 0, 0, 0xf0, 0x7f}), "has no time"), "");
+    Bytes group(1 + 44 + 8, 0);  // nowhere
+    group[45] = 77, group[49] = 1;
+    EXPECT_EQ(has(problem(Kind::group_create, group), "the recorded call made group {77, 1}; here it is"), "");
     Bytes track(40, 0);
     track[0] = 9;
     EXPECT_EQ(has(problem(Kind::track, track), "names locomotion 9, and has"), "");

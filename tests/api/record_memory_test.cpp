@@ -53,6 +53,7 @@ TEST_F(RecordsThatFail, AWriterThatRefusesEndsTheRecordingOnly)
         EXPECT_EQ(std::string(info.text).find("the writer refused") != std::string::npos, ended) << info.text;
         EXPECT_EQ(clq_crowd_end_recording(crowd, &info), left < 15 ? CLQ_IO : CLQ_OK) << left;
         EXPECT_EQ(info.bytes, writer.bytes.size());
+        EXPECT_GE(writer.left, -1) << "it is not asked again";
         clq_record *record = nullptr;
         ASSERT_EQ(clq_record_load(world_.context, writer.bytes.data(), writer.bytes.size(), &record), CLQ_OK);
         clq_record_info played = clq_record_info_init();

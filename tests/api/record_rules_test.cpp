@@ -124,6 +124,9 @@ TEST_F(RecordRules, WriteATrackOnceWhenAnActorFirstFollowsIt)
     clq_record *record = nullptr;
     ASSERT_EQ(clq_record_load(world_.context, bytes.data(), bytes.size(), &record), CLQ_OK);
     ASSERT_EQ(clq_record_set_templates(record, world_.templates, 1), CLQ_OK) << clq_last_error();
+    clq_record_info read = clq_record_info_init();
+    ASSERT_EQ(clq_record_get_info(record, &read), CLQ_OK);
+    EXPECT_EQ(read.track_count, 2u);
     clq_crowd *played = nullptr;
     ASSERT_EQ(clq_crowd_create(world_.context, nullptr, &played), CLQ_OK);
     ASSERT_EQ(clq_record_play(record, played, 2), CLQ_OK) << clq_last_error();
