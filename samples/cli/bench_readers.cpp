@@ -123,6 +123,7 @@ std::vector<ReaderElement> reader_elements()
 {
     std::vector<ReaderElement> all = reader_elements_of_assets();
     for (const ReaderElement &element : reader_elements_of_saves()) all.push_back(element);
+    for (const ReaderElement &element : reader_elements_of_records()) all.push_back(element);
     for (const ReaderElement &element : reader_elements_of_others()) all.push_back(element);
     return all;
 }

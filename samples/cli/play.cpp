@@ -1,8 +1,14 @@
-// claque play: pictures of the people in a file of trajectories, as they walked.
+// claque play: pictures of the people in a file of trajectories, as they walked, or of the crowd in a record.
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
 #include "samples/cli/command.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
 #include "samples/cli/track_arguments.h"
+#include "samples/scenes/walkers/replay.h"
 
 namespace cli
 {
@@ -13,6 +19,18 @@ namespace
 void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
 {
     scenes::Library library(1);
+    a.whole_path = false;
+    if (scenes::walkers::is_record(tracks.file)) {
+        const scenes::walkers::RecordFile file(library, tracks.file);
+        constexpr double most = 999999999;
+        if (file.info.start_s * a.fps < 0 || file.info.end_s * a.fps > most)
+            throw scenes::Failure(tracks.file + ": its clock runs from " + std::to_string(file.info.start_s) + " to " +
+                                  std::to_string(file.info.end_s) +
+                                  " s, for which there are no frame numbers: --time draws single pictures");
+        a.range.first = static_cast<int>(std::ceil(file.info.start_s * a.fps));
+        a.range.last = std::max(a.range.first, static_cast<int>(file.info.end_s * a.fps));
+        return;
+    }
     clq_trajectories *made = nullptr;
     const clq_trajectories_def def = reading_of(tracks);
     scenes::check(clq_trajectories_load(library.context(), tracks.file.c_str(), &def, &made), tracks.file);
@@ -21,7 +39,76 @@ void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
     clq_trajectories_destroy(made);
     a.range.first = 0;
     a.range.last = static_cast<int>((info.max_s - info.min_s) * a.fps);
-    a.whole_path = false;
+}
+
+// A file to which a crowd is recorded while it is drawn. Each piece is on its way to the disk before the next update,
+// so that a run that ends early leaves what it has shown.
+class RecordOut
+{
+public:
+    explicit RecordOut(const std::string &path) : path_(path), file_(std::fopen(path.c_str(), "wb"))
+    {
+        if (!file_) throw scenes::Failure(path + ": " + std::strerror(errno));
+    }
+    ~RecordOut()
+    {
+        if (file_) std::fclose(file_);
+    }
+    RecordOut(const RecordOut &) = delete;
+    RecordOut &operator=(const RecordOut &) = delete;
+
+    void begin(clq_crowd *crowd)
+    {
+        clq_recording_def def = clq_recording_def_init();
+        def.write = write, def.user = file_;
+        scenes::check(clq_crowd_begin_recording(crowd, &def), path_);
+        crowd_ = crowd;
+    }
+    void end()
+    {
+        if (!crowd_) return;
+        scenes::check(clq_crowd_end_recording(crowd_, nullptr), path_);
+        crowd_ = nullptr;
+        if (std::fclose(std::exchange(file_, nullptr)) != 0) throw scenes::Failure(path_ + ": " + std::strerror(errno));
+    }
+
+private:
+    static int write(void *user, const void *bytes, size_t size)
+    {
+        auto *file = static_cast<std::FILE *>(user);
+        return std::fwrite(bytes, 1, size, file) == size && std::fflush(file) == 0 ? 0 : 1;
+    }
+
+    std::string path_;
+    std::FILE *file_;
+    clq_crowd *crowd_ = nullptr;
+};
+
+void expect_trajectories(const CLI::App &command)
+{
+    for (const char *name : {"--columns", "--rate", "--unit", "--up", "--vehicles", "--ground", "--record"})
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
+}
+
+// Of the scene that the options name, with its record.
+auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<std::unique_ptr<RecordOut>> &record)
+{
+    const scenes::walkers::Options options = walkers_of(tracks);
+    const scenes::walkers::ReplayOptions replay = {tracks.file, names_in(tracks.characters), options.follow};
+    return [options, replay, record, path = tracks.record](scenes::Library &library,
+                                                           const scenes::CrowdOptions &crowd_options) {
+        if (scenes::walkers::is_record(replay.file))
+            return scenes::walkers::make_replay(library, crowd_options, replay);
+        Progress progress("claque");
+        scenes::walkers::Options with_progress = options;
+        with_progress.progress = [&](size_t done, size_t of) { progress.step(done, of); };
+        std::unique_ptr<scenes::Scene> scene = scenes::walkers::make(library, crowd_options, with_progress);
+        if (!path.empty()) {
+            *record = std::make_unique<RecordOut>(path);
+            (*record)->begin(scene->crowd());
+        }
+        return scene;
+    };
 }
 
 void take_camera(RenderArguments &a, const TrackArguments &tracks)
@@ -44,8 +131,11 @@ void add_play(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<RenderArguments>();
     auto tracks = std::make_shared<TrackArguments>();
-    CLI::App *c = app.add_subcommand("play", "Draw people walking along the trajectories of a file");
-    c->add_option("FILE", tracks->file, "Trajectories: docs/trajectories.md lists the formats")->required();
+    CLI::App *c =
+        app.add_subcommand("play", "Draw people walking along the trajectories of a file, or the crowd of a record");
+    c->add_option("FILE", tracks->file,
+                  "Trajectories (docs/trajectories.md lists the formats), or a record (docs/records.md)")
+        ->required();
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
     add_picture_options(*c, a);
@@ -54,16 +144,22 @@ void add_play(CLI::App &app, Work &chosen)
                   "View of the people: overview, close, follow:ID over a person's shoulder, or path (with --path)")
         ->check(CLI::Validator(check_camera, ""))
         ->type_name("VIEW");
+    c->add_option("--record", tracks->record,
+                  "Record what is drawn to this file, which `claque play` plays; draws finished frames again")
+        ->type_name("FILE.clt");
     c->callback([a, tracks, c, &chosen] {
         take_camera(*a, *tracks);
         const bool whole = a->frames == "all" || (a->frames.empty() && c->count("--time") == 0);
         if (whole) a->frames = "0:1";  // the file says how many
-        const scenes::walkers::Options options = walkers_of(*tracks);
-        a->setup.make = [options](scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
-            Progress progress("claque");
-            scenes::walkers::Options with_progress = options;
-            with_progress.progress = [&](size_t done, size_t of) { progress.step(done, of); };
-            return scenes::walkers::make(library, crowd_options, with_progress);
+        const bool played = scenes::walkers::is_record(tracks->file);
+        if (played) expect_trajectories(*c);
+        // A scene of people that it does not know has no shadows to paint.
+        if (played && a->setup.shadows == "painted") a->setup.shadows = "blob";
+        if (!tracks->record.empty()) a->again = true;
+        const auto record = std::make_shared<std::unique_ptr<RecordOut>>();
+        a->setup.make = scene_maker(*tracks, record);
+        a->drawn = [record] {
+            if (*record) (*record)->end();
         };
         check_picture_usage(*a);
         chosen = [a, tracks, whole] {

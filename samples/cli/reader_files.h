@@ -23,10 +23,11 @@ struct ReaderElement {
     Reading (*read)(scenes::Library &library, const std::string &bytes);
 };
 
-// Of all formats. Those of glTF and BVH alone, of saves, and the others.
+// Of all formats. Those of glTF and BVH alone, of saves, of records, and the others.
 std::vector<ReaderElement> reader_elements();
 std::vector<ReaderElement> reader_elements_of_assets();
 std::vector<ReaderElement> reader_elements_of_saves();
+std::vector<ReaderElement> reader_elements_of_records();
 std::vector<ReaderElement> reader_elements_of_others();
 
 // Files that other formats are made from.

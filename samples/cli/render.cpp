@@ -156,6 +156,7 @@ void render(const RenderArguments &a)
         report["frames"].push_back(draw(*scene_renderer, options, frames[i], a.samples));
         progress.step(i + 1, frames.size());
     }
+    a.drawn();
     if (!a.json.empty()) {
         progress.phase("measuring rates");
         if (scene_renderer && options.linear_clean) report["filtering"] = filtering(*scene_renderer);

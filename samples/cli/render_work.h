@@ -21,6 +21,7 @@ struct RenderArguments {
     bool whole_path = false;  // frames up to the path's last key frame
     bool again = false;
     uint32_t samples = 1;  // pictures that are averaged into one
+    std::function<void()> drawn = [] {};  // called when all frames are drawn
 };
 
 // Options of the pictures, besides those that choose the scene.

@@ -67,15 +67,23 @@ clq_trajectories_def reading_of(const TrackArguments &a)
     return def;
 }
 
+std::vector<std::string> names_in(const std::string &list)
+{
+    std::vector<std::string> names;
+    std::stringstream text(list);
+    for (std::string name; std::getline(text, name, ',');)
+        if (!name.empty()) names.push_back(name);
+    return names;
+}
+
 scenes::walkers::Options walkers_of(const TrackArguments &a)
 {
     scenes::walkers::Options options;
     options.file = a.file;
     options.reading = reading_of(a);
     options.columns = a.columns;
-    std::stringstream names(a.characters);
-    for (std::string name; std::getline(names, name, ',');)
-        if (!name.empty()) options.characters.push_back(scenes::walkers::class_of(name));
+    for (const std::string &name : names_in(a.characters))
+        options.characters.push_back(scenes::walkers::class_of(name));
     options.area = a.area;
     if (a.camera.rfind("follow:", 0) == 0) options.follow = a.camera.substr(7);
     return options;

@@ -8,7 +8,7 @@ namespace cli
 {
 
 struct TrackArguments {
-    std::string file, columns, unit, up, picture, area, characters, camera;
+    std::string file, columns, unit, up, picture, area, characters, camera, record;
     double rate_hz = 0, max_speed_m_s = 12;
     bool vehicles = false;
 };
@@ -19,6 +19,7 @@ void add_reading_options(CLI::App &command, TrackArguments &arguments);
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 
 // `columns` must live as long as the result.
+std::vector<std::string> names_in(const std::string &list);  // separated by commas
 clq_trajectories_def reading_of(const TrackArguments &arguments);
 scenes::walkers::Options walkers_of(const TrackArguments &arguments);
 

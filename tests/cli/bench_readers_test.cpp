@@ -32,9 +32,9 @@ TEST_F(BenchReaders, ReadEveryFormat)
         EXPECT_TRUE(run["built"] == "ok" || run["built"] == "-") << name << ": " << run["built"];
         EXPECT_TRUE(run["lawful"]) << name;
     }
-    EXPECT_EQ(formats, (std::set<std::string>{"BVH", "PNG", "colours", "glTF", "joints", "path", "prepared", "save",
-                                              "scenario", "zones"}));
-    EXPECT_GE(names.size(), 53u);
+    EXPECT_EQ(formats, (std::set<std::string>{"BVH", "PNG", "colours", "glTF", "joints", "path", "prepared", "record",
+                                              "save", "scenario", "zones"}));
+    EXPECT_GE(names.size(), 57u);
 }
 
 TEST_F(BenchReaders, PrintALineForEachElement)

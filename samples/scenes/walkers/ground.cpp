@@ -32,7 +32,7 @@ void plate(Geometry &out, const Plan &plan, double half_x, double half_z, double
     std::vector<uint32_t> corners;
     for (int row = 0; row <= pieces; ++row)
         for (int column = 0; column <= pieces; ++column)
-            corners.push_back(add_paving(out, plan.middle_x + half_x * (2.0 * column / pieces - 1), y,
+            corners.push_back(add_paving(out, plan.middle_x + half_x * (2.0 * column / pieces - 1), plan.ground + y,
                                          plan.middle_z + half_z * (2.0 * row / pieces - 1), colour));
     const auto corner = [&](int row, int column) { return corners[size_t(row * (pieces + 1) + column)]; };
     for (int row = 0; row < pieces; ++row)

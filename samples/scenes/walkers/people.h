@@ -21,6 +21,7 @@ struct Plan {
     double start_s = 0, end_s = 0;      // of the file
     double half_x = 1, half_z = 1;      // of the people, metres
     double middle_x = 0, middle_z = 0;  // of the people, in the scene
+    double ground = 0;                  // its height in the scene
     void to_scene(double px, double py, double pz, double out[3]) const
     {
         out[0] = px - x, out[1] = pz - z, out[2] = -(py - y);

@@ -1,0 +1,258 @@
+#include "samples/scenes/walkers/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "samples/scenes/light.h"
+#include "samples/scenes/shadows.h"
+#include "samples/scenes/sky.h"
+#include "samples/scenes/stone.h"
+#include "samples/scenes/walkers/ground.h"
+
+namespace scenes::walkers
+{
+
+namespace
+{
+
+const char *const builtin_names[] = {"citizen", "patrician", "decurion", "plebeian", "herald", "owl"};
+
+bool is_builtin(const std::string &name)
+{
+    return std::find(std::begin(builtin_names), std::end(builtin_names), name) != std::end(builtin_names);
+}
+
+// Gives a record the characters of its names: built-in ones, with levels of detail where it was recorded with them, and
+// those of the user.
+class Cast
+{
+public:
+    Cast(Library &library, const clq_record_info &info, clq_record *record, const std::vector<std::string> &characters)
+    {
+        for (const std::string &name : characters) own_.push_back(cast_file(library, name));
+        for (const Own<clq_template> &own : own_) templates_.push_back(own.get());
+        std::vector<std::string> builtins;
+        for (uint32_t i = 0; i < info.template_count; ++i) {
+            const std::string name = clq_record_get_template_name(record, i);
+            if (is_builtin(name) && std::find(builtins.begin(), builtins.end(), name) == builtins.end())
+                builtins.push_back(name);
+        }
+        for (const std::string &name : builtins) templates_.push_back(library.builtin(name));
+        if (give(record) == CLQ_OK) return;
+        for (const std::string &name : builtins) templates_.push_back(library.builtin(name, {}));
+        if (give(record) != CLQ_OK)
+            throw Failure(std::string(clq_last_error()) + "; --characters names the files of characters");
+    }
+    const std::vector<clq_template *> &templates() const { return templates_; }
+
+private:
+    static Own<clq_template> cast_file(Library &library, const std::string &file)
+    {
+        clq_asset *asset = nullptr;
+        check(clq_asset_load_file(library.context(), file.c_str(), nullptr, &asset), file);
+        const Own<clq_asset> loaded(asset);
+        clq_template *made = nullptr;
+        check(clq_asset_build(library.context(), asset, 0, &made), file);
+        return Own<clq_template>(made);
+    }
+    clq_status give(clq_record *record) const
+    {
+        return clq_record_set_templates(record, templates_.data(), static_cast<uint32_t>(templates_.size()));
+    }
+
+    std::vector<Own<clq_template>> own_;
+    std::vector<clq_template *> templates_;
+};
+
+// Where people are in some moments of a record.
+struct Box {
+    double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    bool empty() const { return !(low[0] <= high[0]); }
+};
+
+clq_view *view_of_everything(clq_crowd *crowd)
+{
+    constexpr float reach = 1e5f;
+    clq_camera camera = {};
+    camera.rotation_xyzw[3] = 1;
+    camera.projection[0] = camera.projection[5] = 1 / reach;
+    camera.projection[10] = -1 / reach, camera.projection[15] = 1;
+    clq_view *view = nullptr;
+    check(clq_view_create(crowd, &view));
+    check(clq_view_set_camera(view, &camera));
+    return view;
+}
+
+Box box_of(clq_context *context, const clq_record *record, const clq_record_info &info, clq_crowd_def def)
+{
+    constexpr int moments = 8;
+    def.cache = CLQ_CACHE_NONE, def.cache_budget_bytes = 0;
+    clq_crowd *made = nullptr;
+    check(clq_crowd_create(context, &def, &made));
+    const Own<clq_crowd> crowd(made);
+    clq_view *view = view_of_everything(made);
+    Box box;
+    for (int k = 0; k <= moments; ++k) {
+        const double time_s = info.start_s + (info.end_s - info.start_s) * k / moments;
+        check(clq_record_play(record, made, time_s));
+        check(clq_crowd_update(made, time_s, &view, 1));
+        clq_view_stats stats = clq_view_stats_init();
+        check(clq_view_get_stats(view, &stats));
+        for (uint32_t i = 0; i < stats.visible; ++i) {
+            clq_drawn_actor drawn = clq_drawn_actor_init();
+            check(clq_view_get_drawn_actor(view, i, &drawn));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double x = double(drawn.model_view[12 + axis]);
+                box.low[axis] = std::min(box.low[axis], x), box.high[axis] = std::max(box.high[axis], x);
+            }
+        }
+    }
+    return box;
+}
+
+uint32_t number_of(const std::string &text)
+{
+    if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
+        throw Failure("the camera is to follow '" + text + "': the actors of a record have numbers, from 1 on");
+    return static_cast<uint32_t>(std::stoul(text));
+}
+
+clq_crowd_def def_of(const clq_record *record, const CrowdOptions &options)
+{
+    clq_crowd_def def = clq_crowd_def_init();
+    check(clq_record_get_crowd_def(record, &def));
+    // How it is drawn, not what is shown.
+    def.cache = options.cache, def.cache_budget_bytes = options.cache_budget_bytes;
+    def.cull = options.cull, def.rigid_mode = options.rigid_mode;
+    return def;
+}
+
+class Replay final : public Scene
+{
+public:
+    Replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
+        : file_(library, options.file),
+          cast_(library, file_.info, file_.record.get(), options.characters),
+          sky_(crowd_options.seed, Sky::Land::hills),
+          ground_(flagstone_metres),
+          seed_(crowd_options.seed)
+    {
+        const clq_crowd_def def = def_of(file_.record.get(), crowd_options);
+        clq_crowd *made = nullptr;
+        check(clq_crowd_create(library.context(), &def, &made), options.file);
+        crowd_.reset(made);
+        Box box = box_of(library.context(), file_.record.get(), file_.info, def);
+        if (box.empty()) box = {{-5, 0, -5}, {5, 0, 5}};
+        plan_.half_x = std::max(1.0, (box.high[0] - box.low[0]) / 2);
+        plan_.half_z = std::max(1.0, (box.high[2] - box.low[2]) / 2);
+        plan_.middle_x = (box.high[0] + box.low[0]) / 2, plan_.middle_z = (box.high[2] + box.low[2]) / 2;
+        plan_.ground = box.low[1];
+        lay(library, Options(), plan_, ground_);
+        place(file_.info.start_s);
+        if (!options.follow.empty()) followed_ = number_of(options.follow);
+    }
+
+    clq_crowd *crowd() const override { return crowd_.get(); }
+    std::vector<clq_template *> templates() const override { return cast_.templates(); }
+
+    clq_camera camera(Shot shot, double aspect, double) const override
+    {
+        const double x = plan_.middle_x, y = plan_.ground, z = plan_.middle_z;
+        const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
+        if (followed_) {
+            const double *p = followed_at_;
+            return look({p[0], p[1] + 2.4, p[2] + 5}, {p[0], p[1] + 1, p[2]}, 48, aspect, 0.2, far);
+        }
+        if (shot == Shot::close)
+            return look({x, y + 1.62, z + plan_.half_z + 3}, {x, y + 1.2, z + plan_.half_z - 3}, 50, aspect, 0.2, far);
+        const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
+        return look({x, y + 1.15 * reach, z + plan_.half_z * 0.35 + 1.9 * reach}, {x, y + 0.4, z + plan_.half_z * 0.12},
+                    40, aspect, 0.5, far);
+    }
+
+    void place(double time_s) override
+    {
+        check(clq_record_play(file_.record.get(), crowd_.get(), time_s));
+        if (followed_) find_followed(time_s);
+    }
+
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        def = shadows_in(light_);
+        def.plane_height = plan_.ground;
+        return true;
+    }
+
+    void prepare(const Gl &gl) override { flagstones_.emplace(gl, flagstones(seed_), true); }
+
+    void draw_environment(const Gl &g, const Eye &eye) const override
+    {
+        sky_.draw(g, eye);
+        set_lights(g, light_, eye);
+        g.Disable(gl::texture_2d);
+        ground_.around.draw(g);
+        flagstones_->use();
+        ground_.paving.draw(g);
+        g.Enable(gl::cull_face);
+    }
+
+private:
+    // The actor that has this number now, whichever it is.
+    void find_followed(double time_s)
+    {
+        constexpr uint32_t most_generations = 2000;
+        for (uint32_t generation = 1; generation < most_generations; generation += 2) {
+            double matrix[16];
+            const clq_status status = clq_actor_get_node(crowd_.get(), {*followed_, generation}, 0, time_s, matrix);
+            if (status == CLQ_STALE_ID) continue;
+            check(status);
+            for (int k = 0; k < 3; ++k) followed_at_[k] = k == 1 ? plan_.ground : matrix[12 + k];
+            return;
+        }
+    }
+
+    RecordFile file_;
+    Cast cast_;
+    Own<clq_crowd> crowd_;
+    Daylight light_;
+    Sky sky_;
+    Plan plan_;
+    Ground ground_;
+    uint64_t seed_;
+    std::optional<uint32_t> followed_;
+    double followed_at_[3] = {0, 0, 0};
+    std::optional<Texture> flagstones_;
+};
+
+}  // namespace
+
+bool is_record(const std::string &file)
+{
+    static const char magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'R', 0x1a};
+    char found[8] = {};
+    std::ifstream in(file, std::ios::binary);
+    return in.read(found, sizeof found) && std::memcmp(found, magic, sizeof magic) == 0;
+}
+
+RecordFile::RecordFile(Library &library, const std::string &file)
+{
+    std::ifstream in(file, std::ios::binary);
+    bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    if (!in) throw Failure(file + ": it cannot be read");
+    clq_record *made = nullptr;
+    check(clq_record_load(library.context(), bytes.data(), bytes.size(), &made), file);
+    record.reset(made);
+    check(clq_record_get_info(made, &info));
+    if (info.step_count == 0) throw Failure(file + ": nothing was shown in this record: it has no update");
+}
+
+std::unique_ptr<Scene> make_replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
+{
+    return std::make_unique<Replay>(library, crowd_options, options);
+}
+
+}  // namespace scenes::walkers

@@ -1,0 +1,34 @@
+// The people of a record (docs/records.md), on a ground of their own and seen by cameras that the record does not have.
+#pragma once
+
+#include <claque/record.h>
+
+#include "samples/scenes/walkers/walkers.h"
+
+namespace scenes::walkers
+{
+
+struct DestroyRecord {
+    void operator()(clq_record *p) const { clq_record_destroy(p); }
+};
+using OwnRecord = std::unique_ptr<clq_record, DestroyRecord>;
+
+struct ReplayOptions {
+    std::string file;
+    std::vector<std::string> characters;  // for templates that no built-in character has the name of
+    std::string follow;                   // the number of the actor whom the camera follows; empty: it stands
+};
+
+// The bytes of a file and the record in them. Throws Failure.
+struct RecordFile {
+    RecordFile(Library &library, const std::string &file);
+    std::vector<char> bytes;
+    OwnRecord record;
+    clq_record_info info = clq_record_info_init();
+};
+bool is_record(const std::string &file);
+
+// Times are those of the recorded run. Throws Failure.
+std::unique_ptr<Scene> make_replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options);
+
+}  // namespace scenes::walkers
