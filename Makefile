@@ -102,6 +102,7 @@ bench: build
 	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_stage_bench
 	$(BUILD)/tests/bench/claque_scene_bench
+	$(BUILD)/tests/bench/claque_record_bench
 	@mkdir -p out
 	$(CLAQUE) bench odeon --lod off,on --save out/odeon-bench.json
 	$(CLAQUE) plot out/odeon-bench.json --out out/odeon-bench.svg
