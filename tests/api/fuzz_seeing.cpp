@@ -73,6 +73,7 @@ void World::update()
     EXPECT_EQ(done, good && !refused) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
     EXPECT_EQ(clq_crowd_get_hash(crowd_), print) << "an update must not change what a host has set";
     if (!done) return;
+    if (options_.records) step_hashes_.push_back(print);
     for (uint32_t v = 0; v < asked; ++v) {
         clq_view_stats stats = clq_view_stats_init();
         ASSERT_EQ(clq_view_get_stats(views[v], &stats), CLQ_OK);

@@ -32,6 +32,17 @@ TEST(Fuzz, CallsAtRandomKeepToTheLaws)
     EXPECT_GT(picked, 15u);
 }
 
+TEST(Fuzz, CallsAtRandomAreMadeAgainByTheirRecord)
+{
+    for (uint64_t seed = 201; seed <= 210 && !HasFailure(); ++seed) {
+        fuzz::Options options;
+        options.steps = 2000;
+        options.records = true;
+        fuzz::World world(seed, options);
+        world.run();
+    }
+}
+
 TEST(Fuzz, CallsAtRandomKeepToTheLawsWhereMemoryFails)
 {
     clq_context_def context = clq_context_def_init();

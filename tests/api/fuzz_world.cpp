@@ -110,6 +110,7 @@ void World::run()
     uint32_t all = 0;
     for (const auto &each : steps) all += each.share;
     const bool chosen_by_bytes = options_.choices.size > 0;
+    if (options_.records) record();
     for (step_ = 0; step_ < options_.steps && !testing::Test::HasFailure(); ++step_) {
         if (chosen_by_bytes && random_.choices_left() == 0) break;
         uint32_t choice = random_.below(all);
@@ -118,6 +119,7 @@ void World::run()
         (this->*chosen->step)();
         check();
     }
+    if (options_.records && !testing::Test::HasFailure()) replay();
 }
 
 void World::judge(const char *name, clq_status status, uint64_t print_before)

@@ -49,6 +49,7 @@ struct Options {
     uint32_t steps = 2000;
     Choices choices;  // if there are any, the run ends with them
     const clq_context_def *context = nullptr;
+    bool records = false;  // the run is recorded, and played back at its end
     // Called round every call, to make memory fail. A call that fails then must leave the crowd unchanged, like any
     // other.
     void (*before)(uint64_t bits) = nullptr;
@@ -141,6 +142,10 @@ private:
     void restore();
     void nonsense();
 
+    // fuzz_record.cpp
+    void record();
+    void replay();
+
     // fuzz_drawing.cpp
     void draw();
     void draw_shadows();
@@ -176,6 +181,8 @@ private:
     std::vector<clq_scene *> scenes_;
     Known known_, known_then_;
     saved::Bytes bytes_;  // of the state of known_then_
+    saved::Bytes recorded_;
+    std::vector<uint64_t> step_hashes_;  // of the recorded crowd, at each update
     clq_dof_value values_[64];
     uint32_t used_values_ = 0;
     double time_s_ = 0;

@@ -66,6 +66,7 @@ std::vector<Seed> seeds()
     add_picture_seeds(out);
     add_folder_seeds(out);
     add_people_seeds(out);
+    add_record_seeds(out);
     add_descriptions(out);
     add_crowds(out);
     for (const size_t size : {60u, 300u, 700u}) out.push_back({"zone_map", std::to_string(size), noise(size, size)});

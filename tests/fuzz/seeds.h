@@ -16,6 +16,7 @@ void add_character_seeds(std::vector<Seed> &out);  // gltf, bvh, prepared
 void add_picture_seeds(std::vector<Seed> &out);    // image
 void add_folder_seeds(std::vector<Seed> &out);     // npy, parity
 void add_people_seeds(std::vector<Seed> &out);     // trajectories, area
+void add_record_seeds(std::vector<Seed> &out);     // record
 std::vector<Seed> seeds();
 
 }  // namespace fuzzing
