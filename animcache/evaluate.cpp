@@ -77,6 +77,7 @@ uint32_t animate(const Request &request, const Scratch &scratch, float *palette)
     job.layers = request.layers;
     job.dofs = request.dofs;
     job.feet = {request.feet, request.foot_count};
+    job.upper = request.upper;
     job.level = &request.tmpl->levels[request.level];
     job.locals = {scratch.locals, rig.node_count()};
     job.globals = {scratch.globals, rig.node_count()};

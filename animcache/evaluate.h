@@ -9,6 +9,7 @@
 #include "lib/math/simd.h"
 #include "lib/pose/layer.h"
 #include "lib/pose/leg.h"
+#include "lib/pose/upper.h"
 
 namespace claque::animcache
 {
@@ -53,6 +54,7 @@ struct Request {
     base::Span<const pose::Layer> layers;  // replace the clip of `pose`, unless empty
     pose::FootTarget feet[2];              // of an actor on a track
     uint32_t foot_count = 0;
+    pose::UpperTarget upper;  // and where it looks
     // with layers: radius of a sphere round sklsroot.centre that holds every blend of this version
     float blend_radius = 0;
     KeyPoseSelection key_pose;  // if it shows key-poses

@@ -191,7 +191,9 @@ typedef enum clq_event_kind {
     CLQ_EVENT_MARKER = 0,   /* a clip passes one of its markers */
     CLQ_EVENT_CLIP_END = 1, /* a loop of a clip ends and the next one begins */
     CLQ_EVENT_FADE_END = 2, /* a fade ends */
-    CLQ_EVENT_LAYER_END = 3 /* a layer ends */
+    CLQ_EVENT_LAYER_END = 3, /* a layer ends */
+    CLQ_EVENT_STEP = 4,      /* an actor that walks on a track (claque/track.h) puts a foot down */
+    CLQ_EVENT_STAND = 5      /* such an actor begins to stand */
 } clq_event_kind;
 
 /* An event in an actor's clips. Events happen whether the actor is visible or not. */
@@ -199,8 +201,8 @@ typedef struct clq_event {
     double time_s; /* on the clock of clq_crowd_update */
     clq_actor actor;
     clq_event_kind kind;
-    uint32_t clip;   /* the clip that plays; of a gait its first clip; of a fade its target */
-    uint32_t marker; /* for clq_template_get_marker; CLQ_NONE for other kinds */
+    uint32_t clip;   /* the clip that plays; of a gait its first clip; of a fade its target; of a step the walk */
+    uint32_t marker; /* for clq_template_get_marker; of a step 0 left, 1 right; CLQ_NONE for other kinds */
     uint64_t loop;   /* CLIP_END: the number of loops that have ended since the play began */
     clq_layer layer; /* the layer to which the clip belongs; {0}: none */
 } clq_event;

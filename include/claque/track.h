@@ -42,6 +42,12 @@ typedef struct clq_locomotion_def {
     /* Left and right. All CLQ_NONE (default): found by the nodes' names as common tools write them (LeftUpLeg,
      * thigh_l, UpperLeg.R, ...). */
     clq_leg_def legs[2];
+    /* A walk with short steps, slower than `walk`, or CLQ_NONE (default): then the walk is blended with standing. */
+    uint32_t slow_walk;
+    uint32_t turn; /* steps on the spot, or CLQ_NONE (default): people that turn on the spot take steps of the walk */
+    /* The nodes that turn with gaze and shoulders, each below the one before; each may be missing. All CLQ_NONE
+     * (default): found by their names, as the legs are. */
+    uint32_t torso, neck, head;
 } clq_locomotion_def;
 
 static inline clq_locomotion_def clq_locomotion_def_init(void)
@@ -50,7 +56,7 @@ static inline clq_locomotion_def clq_locomotion_def_init(void)
     int leg;
     memset(&def, 0, sizeof def);
     def.struct_bytes = (uint32_t)sizeof def;
-    def.walk = def.run = CLQ_NONE;
+    def.walk = def.run = def.slow_walk = def.turn = def.torso = def.neck = def.head = CLQ_NONE;
     for (leg = 0; leg < 2; ++leg)
         def.legs[leg].thigh = def.legs[leg].shin = def.legs[leg].foot = def.legs[leg].toes = CLQ_NONE;
     return def;
@@ -72,6 +78,8 @@ typedef struct clq_locomotion_info {
     float walk_speed, run_speed;   /* model units a second, at the clips' own pace */
     float leg_length;              /* model units */
     clq_leg_def legs[2];           /* as given or found */
+    float slow_stride, slow_speed; /* of the slow walk, as of the walk; 0 without one */
+    uint32_t torso, neck, head;    /* as given or found, or CLQ_NONE */
 } clq_locomotion_info;
 
 CLQ_DEFINE_ZERO_INIT(clq_locomotion_info)
@@ -85,6 +93,12 @@ typedef struct clq_track_point {
     double position[3];
     float heading_rad; /* NaN: unknown; the heading then follows the path */
 } clq_track_point;
+
+/* Another person that comes close. */
+typedef struct clq_track_passing {
+    double time_s;
+    double position[3]; /* of the other at that time */
+} clq_track_passing;
 
 typedef struct clq_track_def {
     uint32_t struct_bytes; /* set by clq_track_def_init */
@@ -107,6 +121,10 @@ typedef struct clq_track_def {
      * before and behind the piece are used. From the time of the last point on (default 1e300): at the last point,
      * which is then the last place of the person */
     double end_s;
+    /* Others that pass, as clq_find_passings finds them. While one passes within 1 m, the torso turns by up to half a
+     * radian, so that the shoulder on that side goes back; within 0.5 m it turns fully. Default: none */
+    uint32_t passing_count;
+    const clq_track_passing *passings; /* [passing_count] times ascend */
 } clq_track_def;
 
 static inline clq_track_def clq_track_def_init(void)
@@ -121,11 +139,29 @@ static inline clq_track_def clq_track_def_init(void)
     return def;
 }
 
+typedef struct clq_found_passing {
+    uint32_t track; /* index of `defs` */
+    clq_track_passing passing;
+} clq_found_passing;
+
+/* Finds where people come within 1 m of each other while they move against each other by 0.6 m/s or more: once for each
+ * of the two. What belongs to one track stands together and ascends in time, as clq_track_def.passings wants it. Takes
+ * n log n of the seconds of all tracks, and more where many people are within a metre.
+ *   defs         [def_count] of the tracks that will be created; their points and metres_per_unit are read
+ *   out          [capacity], or NULL with capacity 0: the call only counts
+ *   out_count    the number of passings found
+ * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point; tracks of different metres_per_unit), LIMIT (more than
+ * capacity; a track of more than 10^6 s), OUT_OF_MEMORY. Threads: any. */
+CLQ_API clq_status clq_find_passings(clq_context *context, const clq_track_def *const *defs, uint32_t def_count,
+                                     clq_found_passing *out, size_t capacity, size_t *out_count);
+
 /* Creates a track. A person stands from a speed below 0.10 m/s to one above 0.25 m/s, for 0.6 s or more: position and
  * heading are then frozen and an idle clip plays; steps in between carry the person along if it drifts by 0.25 m. Slow
- * people take short steps; from 1.35 times the walk's own speed on the run is blended in. The heading is that of the
- * points or follows the path; it is held below 0.25 m/s and turns by at most half a turn a second. While a foot carries
- * weight, a two-bone mechanism of the leg holds it where it stands.
+ * people take short steps, first of the slow walk, then blended with standing; from 1.35 times the walk's own speed on the run is blended in. The heading is that of the
+ * points or follows the path; it is held below 0.25 m/s and turns by at most half a turn a second. Head and neck look
+ * where the heading will be half a second later, by up to 63 degrees from the body; what control mechanisms write of
+ * them (claque/behave.h) is added. While a foot carries weight, a two-bone mechanism of the leg holds it where it
+ * stands.
  *   def   copied
  *   out   owned by the host until clq_track_destroy
  * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point), LIMIT (10^6 s), OUT_OF_MEMORY. Threads: any. */
@@ -196,7 +232,8 @@ enum { CLQ_TRACK_PIECES = 4 };
 CLQ_API clq_status clq_actor_follow_track(clq_crowd *crowd, clq_actor actor, clq_track *track, double start_s);
 
 /* Fades from what an actor plays back to the gait of the track that it follows. clq_actor_play and clq_actor_fade_to
- * lead from there to clips: the track then still moves the actor. The gait itself has no events (claque/play.h).
+ * lead from there to clips: the track then still moves the actor. While it plays the gait, its events are the steps and
+ * the stands (CLQ_EVENT_STEP, CLQ_EVENT_STAND).
  *   length_s   [>= 0]
  * Fails: STALE_ID, ARGUMENT (an actor that follows no track), LIMIT, OUT_OF_MEMORY, BUSY.
  * Threads: the crowd's writer. */

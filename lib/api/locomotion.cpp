@@ -22,7 +22,8 @@ namespace
 track::LocomotionClips clips_of(const clq_locomotion_def &def)
 {
     track::LocomotionClips clips;
-    clips.walk = def.walk, clips.run = def.run;
+    clips.walk = def.walk, clips.run = def.run, clips.slow = def.slow_walk, clips.turn = def.turn;
+    clips.torso = def.torso, clips.neck = def.neck, clips.head = def.head;
     if (def.idle_count > track::max_idles)
         base::fail(CLQ_ARGUMENT, "idle_count is %u: 0 to %u is wanted", def.idle_count, track::max_idles);
     api::require_array(def.idles, def.idle_count, "idles");
@@ -72,6 +73,11 @@ clq_status clq_locomotion_get_info(const clq_locomotion *locomotion, clq_locomot
             info.run_stride = locomotion->stride[track::gait_step_count - 1];
             info.run_speed = static_cast<float>(locomotion->running_speed());
         }
+        if (locomotion->clips.slow != model::none) {
+            info.slow_stride = locomotion->stride[track::slow_step];
+            info.slow_speed = static_cast<float>(locomotion->slow_speed());
+        }
+        info.torso = locomotion->clips.torso, info.neck = locomotion->clips.neck, info.head = locomotion->clips.head;
         info.leg_length = locomotion->leg_length;
         for (int f = 0; f < 2; ++f) {
             const uint32_t *leg = locomotion->clips.legs[f];

@@ -6,6 +6,7 @@
 #include "lib/api/recorder.h"
 #include "lib/api/track_handle.h"
 #include "lib/track/build.h"
+#include "lib/track/passings.h"
 #include "lib/track/track_file.h"
 
 using namespace claque;
@@ -51,6 +52,46 @@ private:
     clq_track *held_ = nullptr;
 };
 
+void read_points(const clq_track_def &def, model::Array<track::Point> &points)
+{
+    for (uint32_t i = 0; i < def.point_count; ++i) {
+        const clq_track_point &p = def.points[i];
+        points.push_back({p.time_s, glm::dvec3(p.position[0], p.position[1], p.position[2]), double(p.heading_rad)});
+    }
+}
+
+// The points of all definitions behind each other.
+struct PointsOfAll {
+    explicit PointsOfAll(clq_context *context) : points(&context->memory), spans(&context->memory) {}
+    model::Array<track::Point> points;
+    model::Array<base::Span<const track::Point>> spans;
+    double metres_per_unit = 1;
+
+    void read(const clq_track_def *const *defs, uint32_t count)
+    {
+        size_t sum = 0;
+        for (uint32_t i = 0; i < count; ++i) {
+            api::require(defs[i] != nullptr, "one of defs is NULL");
+            const clq_track_def def = api::read_def(defs[i], clq_track_def_init, "clq_track_def_init");
+            api::require_array(def.points, def.point_count, "points");
+            const double metres = double(def.metres_per_unit);
+            if (i > 0 && metres != metres_per_unit)
+                base::fail(CLQ_ARGUMENT,
+                           "metres_per_unit of track %u is %g, of those before it %g: one world is wanted", i, metres,
+                           metres_per_unit);
+            metres_per_unit = metres;
+            sum += def.point_count;
+        }
+        points.reserve(sum), spans.reserve(count);
+        for (uint32_t i = 0; i < count; ++i) {
+            const clq_track_def def = api::read_def(defs[i], clq_track_def_init, "clq_track_def_init");
+            const size_t first = points.size();
+            read_points(def, points);
+            spans.push_back({points.data() + first, def.point_count});
+        }
+    }
+};
+
 double gait_phase(double phase)
 {
     const double part = phase - std::floor(phase);
@@ -69,12 +110,16 @@ clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_de
         api::require_array(wanted.points, wanted.point_count, "points");
         model::Array<track::Point> points(&locomotion->context->memory);
         points.reserve(wanted.point_count);
-        for (uint32_t i = 0; i < wanted.point_count; ++i) {
-            const clq_track_point &p = wanted.points[i];
-            points.push_back(
-                {p.time_s, glm::dvec3(p.position[0], p.position[1], p.position[2]), double(p.heading_rad)});
+        read_points(wanted, points);
+        api::require_array(wanted.passings, wanted.passing_count, "passings");
+        model::Array<track::Passing> passings(&locomotion->context->memory);
+        passings.reserve(wanted.passing_count);
+        for (uint32_t i = 0; i < wanted.passing_count; ++i) {
+            const double *p = wanted.passings[i].position;
+            passings.push_back({wanted.passings[i].time_s, glm::dvec3(p[0], p[1], p[2])});
         }
         track::BuildSettings settings;
+        settings.passings = base::Span<const track::Passing>(passings);
         settings.smooth_s = double(wanted.smooth_s);
         settings.metres_per_unit = double(wanted.metres_per_unit);
         settings.scale = double(wanted.scale);
@@ -86,6 +131,26 @@ clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_de
         api::Making<clq_track> made(locomotion->context, locomotion);
         track::build(*locomotion, base::Span<const track::Point>(points), settings, *made);
         *out = made.release();
+    });
+}
+
+clq_status clq_find_passings(clq_context *context, const clq_track_def *const *defs, uint32_t def_count,
+                             clq_found_passing *out, size_t capacity, size_t *out_count)
+{
+    return api::boundary("clq_find_passings", [&] {
+        api::require(context && (defs || def_count == 0) && out_count && (out || capacity == 0),
+                     "context, defs, out or out_count is NULL");
+        PointsOfAll all(context);
+        all.read(defs, def_count);
+        model::Array<track::FoundPassing> found(&context->memory);
+        track::find_passings(base::Span<const base::Span<const track::Point>>(all.spans), all.metres_per_unit, found);
+        if (out && found.size() > capacity)
+            base::fail(CLQ_LIMIT, "%zu passings: there is room for %zu", found.size(), capacity);
+        for (size_t i = 0; out && i < found.size(); ++i) {
+            const glm::dvec3 &p = found[i].passing.position;
+            out[i] = {found[i].person, {found[i].passing.time_s, {p.x, p.y, p.z}}};
+        }
+        *out_count = found.size();
     });
 }
 

@@ -38,7 +38,9 @@ public:
     // Replaces what is below by a source, with `weight`.
     void replace(const Source &source, double weight)
     {
-        for (uint32_t f = 0; f < out_.foot_count; ++f) out_.feet[f].weight *= static_cast<float>(1 - weight);
+        const float rest = static_cast<float>(1 - weight);
+        for (uint32_t f = 0; f < out_.foot_count; ++f) out_.feet[f].weight *= rest;
+        out_.upper.gaze_rad *= rest, out_.upper.torso_rad *= rest;
         if (source.gait == crowd::track_gait) {
             replace_by_track(*crowd_.follows().of(row_), weight);
             return;
@@ -92,7 +94,7 @@ public:
         const track::Track &track = crowd::piece_at(follow, at_s);
         const track::State state = track::state_at(track, at_s);
         pose::Layer layers[3];
-        const uint32_t count = track::layers_of(*track.locomotion, state.gait, state.phase, state.idle,
+        const uint32_t count = track::layers_of(*track.locomotion, state.gait, state.turn, state.phase, state.idle,
                                                 at_s + static_cast<double>(follow.offset_s), layers);
         double above = 1;  // of the layers that come later
         for (uint32_t k = count; k-- > 1;) above *= 1 - static_cast<double>(layers[k].weight);
@@ -107,6 +109,8 @@ public:
             out_.feet[f] = track::foot_at(track, state, f, at_s);
             out_.feet[f].weight = static_cast<float>(weight);
         }
+        out_.upper = track::upper_at(track, state, at_s);
+        out_.upper.gaze_rad *= static_cast<float>(weight), out_.upper.torso_rad *= static_cast<float>(weight);
     }
 
 private:
@@ -196,6 +200,7 @@ void active_clips_at(const crowd::Crowd &crowd, uint32_t row, double time_s, Mec
     const crowd::Follow *follow = crowd.follows().of(row);
     const bool walks = follow && follow->walks && !plays.idle;
     out.count = out.foot_count = 0;
+    out.upper = pose::UpperTarget();
     out.clip = plays.now.clip;
     out.clip_time_s = clip_time(crowd, row, plays.now, time_s);
     if (!layer_state && !walks && !(plays.weight < 1)) return;

@@ -17,6 +17,7 @@ struct ActiveClips {
     // On a track: where its feet are, unless it shows other clips alone.
     pose::FootTarget feet[2];
     uint32_t foot_count = 0;
+    pose::UpperTarget upper;  // and where it looks
 };
 
 // `levels`: of its mechanisms, as in plays_at().

@@ -38,7 +38,9 @@ public:
             const crowd::LayerState *layer_state = crowd_.layers().of(row);
             Source plain;
             plain.play = crowd_.play_of(row);
+            const crowd::Follow *follow = crowd_.follows().of(row);
             if (layer_state) base(*layer_state, window);
+            else if (follow && follow->walks) walk(*follow, window);
             else source(plain, window, 0);
         }
         if (const crowd::LayerState *layer_state = crowd_.layers().of(row))
@@ -151,6 +153,36 @@ private:
         const Window played = window.within(source.play.start_s, window.last_s);
         if (source.gait == model::none) clip(source.play, played, layer);
         else if (source.gait != crowd::track_gait) gait(source, played);
+        else if (const crowd::Follow *follow = crowd_.follows().of(row_)) walk(*follow, window);
+    }
+
+    // Feet that come down, and the moments in which a person begins to stand.
+    void walk(const crowd::Follow &follow, Window window)
+    {
+        walk(*follow.track, follow, window);
+        double end_s = follow.track->start_s;
+        for (const track::Track *piece : follow.earlier) {
+            if (!piece) break;
+            walk(*piece, follow, window.within(window.first_s, follow.start_s + end_s));
+            end_s = piece->start_s;
+        }
+    }
+
+    void walk(const track::Track &track, const crowd::Follow &follow, Window window)
+    {
+        constexpr double rounding_s = 1e-6;  // the window decides
+        const double clock_s = follow.start_s + track.start_s;
+        const double first_s = window.first_s - clock_s - rounding_s, last_s = window.last_s - clock_s + rounding_s;
+        track::for_steps(track, first_s, last_s, [&](double gone_s, int foot) {
+            if (!window.holds(clock_s + gone_s)) return;
+            put(clock_s + gone_s, EventKind::step, track.locomotion->clips.walk, 0);
+            out_.back().marker = static_cast<uint32_t>(foot);
+        });
+        track::for_stands(track, first_s, last_s, [&](double gone_s, uint32_t idle) {
+            if (!window.holds(clock_s + gone_s)) return;
+            const track::LocomotionClips &clips = track.locomotion->clips;
+            put(clock_s + gone_s, EventKind::stand, clips.idle_count > 0 ? clips.idles[idle] : model::none, 0);
+        });
     }
 
     void base(const crowd::LayerState &layer_state, Window window)

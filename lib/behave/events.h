@@ -8,14 +8,14 @@ namespace claque::behave
 {
 
 // In the order of the events of one actor at one time.
-enum class EventKind : uint8_t { marker = 0, clip_end = 1, fade_end = 2, layer_end = 3 };
+enum class EventKind : uint8_t { marker = 0, clip_end = 1, fade_end = 2, layer_end = 3, step = 4, stand = 5 };
 
 struct Event {
     double time_s = 0;
     uint32_t row = 0;
     EventKind kind = EventKind::marker;
     uint32_t clip = model::none;
-    uint32_t marker = model::none;  // index of the rig
+    uint32_t marker = model::none;  // index of the rig; of a step: 0 left, 1 right
     uint64_t round = 0;
     uint32_t layer = 0;  // the layer's identity
 };

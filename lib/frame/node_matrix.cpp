@@ -76,6 +76,7 @@ void node_world_matrix(const crowd::Crowd &crowd, const Frame &frame, uint32_t r
     job.palette = base::Span<math::Affine>(memory.palette);
     job.weights = base::Span<float>(memory.weights);
     job.feet = {clips.feet, clips.foot_count};
+    job.upper = clips.upper;
     job.run();
 
     crowd::Transform root;

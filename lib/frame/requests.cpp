@@ -45,6 +45,7 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
     request.pose.layers = shown.count;
     request.foot_count = shown.foot_count;
     std::copy(shown.feet, shown.feet + shown.foot_count, request.feet);
+    request.upper = shown.upper;
     const crowd::LayerState *layer_state = crowd.layers().of(row);
     request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
     if (follow) request.blend_radius += follow->track->locomotion->legs[0].max_shift;

@@ -121,6 +121,15 @@ glm::vec3 point_of(const Columns &node, const glm::vec3 &point) noexcept
     return vec_of(node.c[0] * splat(point.x) + node.c[1] * splat(point.y) + node.c[2] * splat(point.z) + node.c[3]);
 }
 
+glm::vec3 sole_of(const glm::vec3 &ball, const glm::vec3 &heel) noexcept
+{
+    if (!(ball.y > heel.y)) return ball;
+    glm::vec3 ahead(ball.x - heel.x, 0, ball.z - heel.z);
+    const float flat = length(ahead);
+    if (!(flat > 0)) return ball;
+    return ball + ahead * (length(ball - heel) / flat - 1);
+}
+
 void move_foot(const FootTarget &target, Columns *globals) noexcept
 {
     const Leg &leg = *target.leg;
@@ -128,13 +137,14 @@ void move_foot(const FootTarget &target, Columns *globals) noexcept
     const glm::vec3 ankle = point_of(globals[leg.shin], leg.ankle), foot = vec_of(globals[leg.foot].c[3]);
     const Turn turn = about_y(target.turn_rad * target.weight);
     const glm::vec3 clip_ball = point_of(globals[leg.foot], leg.ball);
-    const glm::vec3 ball = foot + turn * (clip_ball - foot);
-    const glm::vec3 heel = foot + turn * (point_of(globals[leg.foot], leg.heel) - foot);
+    const glm::vec3 clip_heel = point_of(globals[leg.foot], leg.heel);
+    const glm::vec3 ball = foot + turn * (clip_ball - foot), heel = foot + turn * (clip_heel - foot);
+    const glm::vec3 clip_sole = sole_of(clip_ball, clip_heel), sole = sole_of(ball, heel);
 
-    // In the air, too, it is the ball of the foot that is moved: a foot that comes down or is lifted must not jump.
-    const float to_x = target.planted ? target.x : clip_ball.x + target.x;
-    const float to_z = target.planted ? target.z : clip_ball.z + target.z;
-    glm::vec3 shift(to_x - ball.x, 0, to_z - ball.z);
+    // In the air, too, it is the sole that is moved: a foot that comes down or is lifted must not jump.
+    const float to_x = target.planted ? target.x : clip_sole.x + target.x;
+    const float to_z = target.planted ? target.z : clip_sole.z + target.z;
+    glm::vec3 shift(to_x - sole.x, 0, to_z - sole.z);
     shift = shift * target.weight;
     const float reach = length(shift);
     if (reach > leg.max_shift) shift = shift * (leg.max_shift / reach);

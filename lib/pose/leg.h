@@ -29,7 +29,7 @@ struct Leg {
 struct FootTarget {
     const Leg *leg = nullptr;
     bool planted = false;
-    float x = 0, z = 0;  // planted: of the ball of the foot; otherwise how far that is moved
+    float x = 0, z = 0;  // planted: of the sole (sole_of); otherwise how far that is moved
     float turn_rad = 0;  // of the foot about y
     float weight = 1;    // [0, 1] of all of this
     float ground = 0;    // [0, 1] how far the lower of ball and heel is moved to y = 0
@@ -42,6 +42,10 @@ model::Array<uint32_t> nodes_below(const model::Rig &rig, uint32_t node, uint32_
 
 // `globals`: [node_count] in model space, changed in place.
 void move_foot(const FootTarget &target, math::Columns *globals) noexcept;
+
+// Where a foot is: where the ball of the foot would lie if the foot stood flat. A foot whose toes are up rolls over its
+// heel, which then stays, and the ball comes forward as it sinks.
+glm::vec3 sole_of(const glm::vec3 &ball, const glm::vec3 &heel) noexcept;
 
 // A point of a node's frame in model space.
 glm::vec3 point_of(const math::Columns &node, const glm::vec3 &point) noexcept;

@@ -159,6 +159,7 @@ void PoseJob::run() const
         }
     }
     kernels.local_to_model(rig->parents.data(), nodes, node_count, globals.data);
+    if (upper.upper) turn_upper(upper, some ? level->active.data() : nullptr, globals.data);
     for (const FootTarget &foot : feet)
         if (!some || level->active[foot.leg->foot]) move_foot(foot, globals.data);
     kernels.fill_palette(rig->palette.data(), some ? level->entries.data() : nullptr,

@@ -10,6 +10,7 @@
 #include "lib/model/template.h"
 #include "lib/pose/layer.h"
 #include "lib/pose/leg.h"
+#include "lib/pose/upper.h"
 
 namespace claque::pose
 {
@@ -27,6 +28,7 @@ struct PoseJob {
     base::Span<const Layer> layers;       // replaces clip and time_s unless empty
     const float *dofs = nullptr;          // [rig.dofs.size()], on top of the clip; null: all at rest
     base::Span<const FootTarget> feet;    // of legs that are moved afterwards; run() alone does it
+    UpperTarget upper;                    // head and torso, likewise
     const model::Level *level = nullptr;  // limits the skeleton to the level's active nodes (S0 5.2); null: all nodes
 
     math::SimdLevel simd_level = math::default_simd_level();

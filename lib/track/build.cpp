@@ -46,6 +46,15 @@ void check(base::Span<const Point> points, const BuildSettings &settings)
             fail(CLQ_LIMIT, "point %u of a track is %.6g, %.6g, %.6g m from its first point: %g m at most are possible",
                  i, d.x, d.y, d.z, max_reach_m);
     }
+    for (uint32_t i = 0; i < settings.passings.count; ++i) {
+        const Passing &p = settings.passings[i];
+        if (!std::isfinite(p.time_s) || !std::isfinite(p.position.x) || !std::isfinite(p.position.z))
+            fail(CLQ_ARGUMENT, "passing %u of a track is not finite", i);
+        if (i > 0 && p.time_s < settings.passings[i - 1].time_s)
+            fail(CLQ_ARGUMENT,
+                 "passing %u of a track is at %.9g s, that before it at %.9g s: ascending times are wanted", i,
+                 p.time_s, settings.passings[i - 1].time_s);
+    }
     const double length = points[points.count - 1].time_s - points[0].time_s;
     if (!(length <= max_length_s))
         fail(CLQ_LIMIT, "a track of %.6g s: at most %g s are possible", length, max_length_s);
@@ -106,8 +115,10 @@ void build(const Locomotion &locomotion, base::Span<const Point> points, const B
     out.stand_count = make_gait(locomotion, settings, path);
     pack(path, out);
     make_plants(locomotion, path, out);
+    make_shoulders(settings, path, out);
     index_plants(out);
-    if (previous) join_swings(*previous, out);
+    make_ahead(path, out);
+    if (previous) join_swings(*previous, out), join_upper(*previous, out);
     out.top_speed = top_speed_of(out);
     out.hash = hash_of(out);
     report(points, end_s, path, out);

@@ -5,6 +5,7 @@
 //   heading   from the file, or along the path; held where a person is slow; limited in its rate
 //   gait      the share of each clip by speed, the phase by the distance travelled
 //   plants    when each foot stands and where
+//   shoulders how the torso turns when others pass
 //   pack      the coarsest grid that keeps the path
 // A piece of a track goes through the same steps, on the points from a little before it to a little after it, and is
 // joined to the piece before (piece.h).
@@ -24,6 +25,12 @@ struct Point {
     double heading_rad = 0;  // NaN: unknown
 };
 
+// Another person that comes close.
+struct Passing {
+    double time_s = 0;
+    glm::dvec3 position = glm::dvec3(0);  // of the other, world units
+};
+
 struct BuildSettings {
     double smooth_s = 1.1;  // about one stride; 0: the path stays as it is
     double metres_per_unit = 1;
@@ -33,6 +40,7 @@ struct BuildSettings {
     // Of pieces: the piece before, or null, and the time up to which the track is made if the points go on behind it.
     const Track *previous = nullptr;
     double end_s = std::numeric_limits<double>::infinity();
+    base::Span<const Passing> passings = {};  // times ascend
 };
 
 // Throws base::Error (ARGUMENT: no points, times that do not ascend, numbers that are not finite; LIMIT) or
@@ -54,6 +62,7 @@ struct FinePath {
           speed(memory),
           turn(memory),
           gait(memory),
+          turning(memory),
           phase(memory),
           stands(memory),
           idle(memory),
@@ -66,6 +75,7 @@ struct FinePath {
     Array<double> heading;      // radians, without jumps by whole turns
     Array<double> speed, turn;  // metres and radians a second
     Array<double> gait, phase;  // phase in cycles, rising
+    Array<double> turning;      // [0, 1] share of the clip that turns on the spot
     Array<uint8_t> stands;
     Array<uint8_t> idle;  // which clip it stands with
     // Where a person moves between two stands: the first and the last sample, both of them of stands or of the ends.
@@ -88,6 +98,8 @@ void make_heading(base::Span<const Point> points, const BuildSettings &settings,
 // Returns how often the person began to stand up to the end of the track, with the pieces before.
 uint32_t make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path);
 void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out);
+void make_shoulders(const BuildSettings &settings, const FinePath &path, Track &out);
+void make_ahead(const FinePath &path, Track &out);  // where people look at the end of a piece
 void pack(const FinePath &path, Track &out);
 
 // What lies beyond the ends for smooth(): the values mirrored through the end point, so that ends keep their values, or

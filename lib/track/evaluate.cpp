@@ -122,7 +122,8 @@ uint64_t Track::bytes() const
     uint64_t sum = sizeof(Track) + samples.capacity() * sizeof(Sample);
     for (int f = 0; f < 2; ++f)
         sum += plants[f].capacity() * sizeof(Plant) + first_plants[f].capacity() * sizeof(uint32_t);
-    return sum;
+    return sum + shoulders.capacity() * sizeof(ShoulderTurn) + first_shoulders.capacity() * sizeof(uint32_t) +
+           ahead.capacity() * sizeof(uint16_t);
 }
 
 bool is_present(const Track &track, double time_s) noexcept
@@ -179,8 +180,10 @@ State state_at(const Track &track, double time_s) noexcept
     state.phase = angle_at(from.phase, to.phase, place.part);
     state.gait =
         static_cast<float>((double(from.gait) + (double(to.gait) - double(from.gait)) * place.part) / gait_unit);
+    const double turn = turn_of(from.flags), next_turn = turn_of(to.flags);
+    state.turn = static_cast<float>((turn + (next_turn - turn) * place.part) / turn_unit);
     state.stands = stands(from) && stands(to);
-    state.idle = from.flags >> idle_shift;
+    state.idle = idle_of(from.flags);
     return state;
 }
 

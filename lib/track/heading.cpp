@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr double held_below_m_s = 0.25;
-constexpr double turn_in_place_rad_s = 2.1;  // two thirds of a quarter turn in half a second
+constexpr double turn_in_place_rad_s = 1.7;  // nearly a second for a quarter turn
 constexpr double min_turn_in_place_rad = 0.35;
 
 // The directions that are known, on the fine grid; false: none is.
@@ -74,8 +74,23 @@ void hold(Array<double> &heading, const Array<uint8_t> &known)
         heading[i] = known[i] ? nearest_turn(heading[i], heading[i - 1]) : heading[i - 1];
 }
 
+constexpr uint32_t leaving_samples = 40;  // in which a person gathers speed
+
+// The direction in which a person leaves a stand that ends at `last`. While it is slow it has no direction of motion yet:
+// it already looks where it will go.
+double leaving(FinePath &path, uint32_t last, bool along_the_way)
+{
+    const uint32_t count = path.count();
+    if (!along_the_way) return path.heading[std::min(last + 12, count - 1)];
+    uint32_t to = last + 1;
+    while (to + 1 < count && to < last + leaving_samples && !path.stands[to + 1]) ++to;
+    const double next = path.heading[to];
+    std::fill(path.heading.begin() + last + 1, path.heading.begin() + to, next);
+    return next;
+}
+
 // Turns of a person that stands: the end of the stand gives the time for it, and its feet step on the spot.
-void turn_in_place(FinePath &path)
+void turn_in_place(FinePath &path, bool along_the_way)
 {
     const uint32_t count = path.count();
     for (uint32_t first = 0; first < count; ++first) {
@@ -85,7 +100,7 @@ void turn_in_place(FinePath &path)
         const double held = path.heading[first];
         std::fill(path.heading.begin() + first, path.heading.begin() + last + 1, held);
         if (last + 1 < count) {
-            const double next = path.heading[std::min(last + 12, count - 1)], turn = next - held;
+            const double next = leaving(path, last, along_the_way), turn = next - held;
             const uint32_t wanted = static_cast<uint32_t>(std::fabs(turn) / turn_in_place_rad_s * path.hz);
             const uint32_t free = last > path.first ? last - path.first : 0;  // of what was decided before
             const uint32_t spare = std::min(free, last - first > min_stand ? last - first - min_stand : 0);
@@ -138,12 +153,13 @@ void make_heading(base::Span<const Point> points, const BuildSettings &settings,
     const uint32_t count = path.count();
     path.heading.assign(count, 0.0);
     Array<uint8_t> known(count, uint8_t(0), path.x.get_allocator().resource());
-    if (!given_headings(points, path, known)) headings_of_motion(path, known);
+    const bool along_the_way = !given_headings(points, path, known);
+    if (along_the_way) headings_of_motion(path, known);
     if (path.previous) remember(path, known);
     hold(path.heading, known);
     for (const FinePath::Piece &piece : path.pieces)
         smooth(path.heading, piece.first, piece.last, 12, Beyond::mirrored);
-    turn_in_place(path);
+    turn_in_place(path, along_the_way);
     limit_rate(path.heading, settings.max_turn_rad_s, path.hz);
     smooth_turns(path);
     measure_turn(path);

@@ -1,5 +1,5 @@
-// Finds thigh, shin, foot and toes of both legs by the names that are common in files: Mixamo, Unreal, Rigify, VRM,
-// KayKit, Quaternius and claque's own.
+// Finds thigh, shin, foot and toes of both legs, torso, neck and head by the names that are common in files: Mixamo,
+// Unreal, Rigify, VRM, KayKit, Quaternius and claque's own.
 #include <cctype>
 
 #include "lib/base/error.h"
@@ -50,11 +50,17 @@ Side side_of(std::string_view name, std::string_view plain)
     return Side::unknown;
 }
 
+bool is_control(std::string_view plain)
+{
+    for (const char *other : {"twist", "ik", "pole", "roll", "control", "ctrl", "target", "end", "helper"})
+        if (has(plain, other)) return true;
+    return false;
+}
+
 // 0 thigh, 1 shin, 2 foot, 3 toes; none: another part, or a control that is no bone of the leg.
 uint32_t part_of(std::string_view plain)
 {
-    for (const char *other : {"twist", "ik", "pole", "roll", "control", "ctrl", "target", "end", "helper"})
-        if (has(plain, other)) return none;
+    if (is_control(plain)) return none;
     if (has(plain, "thigh") || has(plain, "upleg") || has(plain, "upperleg") || has(plain, "legupper")) return 0;
     if (has(plain, "shin") || has(plain, "calf") || has(plain, "lowerleg") || has(plain, "leglower")) return 1;
     if (has(plain, "toe") || has(plain, "ball")) return 3;
@@ -93,6 +99,35 @@ void find_legs(const model::Rig &rig, LocomotionClips &clips)
                 base::fail(CLQ_ARGUMENT,
                            "no node is named like a %s %s: name the legs' nodes in clq_locomotion_def.legs",
                            sides[side], parts[part]);
+}
+
+void find_upper(const model::Rig &rig, LocomotionClips &clips)
+{
+    if (clips.torso != none || clips.neck != none || clips.head != none) return;
+    const auto find = [&](const auto &is) {
+        for (uint32_t i = 0; i < rig.node_count(); ++i) {
+            const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
+            if (!is_control(plain) && is(i, std::string_view(plain))) return i;
+        }
+        return none;
+    };
+    const auto carries_leg = [&](uint32_t node) {
+        for (const auto &leg : clips.legs)
+            for (int part = 0; part < 3; ++part)
+                if (is_below(rig, leg[part], node)) return true;
+        return false;
+    };
+    clips.head = find([&](uint32_t i, std::string_view plain) {
+        return has(plain, "head") && !has(plain, "top") && !has(plain, "nub") && !carries_leg(i);
+    });
+    const uint32_t top = clips.head;
+    const auto carries_head = [&](uint32_t i) { return top != none && i != top && is_below(rig, top, i); };
+    clips.neck = find([&](uint32_t i, std::string_view plain) { return has(plain, "neck") && carries_head(i); });
+    clips.torso = find([&](uint32_t i, std::string_view plain) {
+        for (const char *part : {"spine", "torso", "abdomen", "waist", "chest"})
+            if (has(plain, part) && carries_head(i) && !carries_leg(i)) return true;
+        return false;
+    });
 }
 
 }  // namespace claque::track

@@ -43,40 +43,44 @@ GaitCell mix(const GaitCell &a, const GaitCell &b, double part)
         out.x[f] = both(a.x[f], b.x[f]), out.z[f] = both(a.z[f], b.z[f]);
         out.supports[f] = both(a.supports[f], b.supports[f]);
         out.reach[f] = both(a.reach[f], b.reach[f]);
-        out.reach_x[f] = both(a.reach_x[f], b.reach_x[f]), out.reach_z[f] = both(a.reach_z[f], b.reach_z[f]);
+        out.hip_x[f] = both(a.hip_x[f], b.hip_x[f]), out.hip_z[f] = both(a.hip_z[f], b.hip_z[f]);
+        out.node_x[f] = both(a.node_x[f], b.node_x[f]), out.node_z[f] = both(a.node_z[f], b.node_z[f]);
     }
     return out;
 }
 
 }  // namespace
 
-uint32_t layers_of(const Locomotion &locomotion, float gait, double phase, uint32_t idle, double idle_s,
+uint32_t layers_of(const Locomotion &locomotion, float gait, float turn, double phase, uint32_t idle, double idle_s,
                    pose::Layer out[3]) noexcept
 {
     const model::Rig &rig = locomotion.tmpl->rig;
+    const LocomotionClips &clips = locomotion.clips;
+    const bool slows = clips.slow != model::none;
     uint32_t count = 0;
     const auto push = [&](uint32_t clip, double time_s, float weight) {
         out[count] = pose::Layer();
         out[count].clip = clip, out[count].time_s = time_s, out[count].weight = weight;
         ++count;
     };
-    if (gait < 1) {
-        const uint32_t clip = locomotion.clips.idle_count > 0
-                                  ? locomotion.clips.idles[idle < locomotion.clips.idle_count ? idle : 0]
-                                  : model::none;
+    if (gait < (slows ? slow_gait : 1.0f)) {
+        const uint32_t clip = clips.idle_count > 0 ? clips.idles[idle < clips.idle_count ? idle : 0] : model::none;
         const double length = clip == model::none ? 0 : double(rig.clips[clip].duration_s);
         push(clip, clip_time(rig, clip, length > 0 ? idle_s / length : 0), 1);
     }
-    if (gait > 0) {
-        push(locomotion.clips.walk, clip_time(rig, locomotion.clips.walk, phase), gait < 1 ? gait : 1);
-        if (gait > 1 && locomotion.clips.run != model::none)
-            push(locomotion.clips.run, clip_time(rig, locomotion.clips.run, phase + double(locomotion.run_phase)),
-                 gait - 1);
-    }
+    if (slows && gait > 0 && gait < 1)
+        push(clips.slow, clip_time(rig, clips.slow, phase + double(locomotion.slow_phase)),
+             gait < slow_gait ? gait / slow_gait : 1);
+    const float walks = !slows ? gait : gait > slow_gait ? (gait - slow_gait) / (1 - slow_gait) : 0;
+    if (walks > 0) push(clips.walk, clip_time(rig, clips.walk, phase), walks < 1 ? walks : 1);
+    if (gait > 1 && clips.run != model::none)
+        push(clips.run, clip_time(rig, clips.run, phase + double(locomotion.run_phase)), gait - 1);
+    if (turn > 0 && clips.turn != model::none)
+        push(clips.turn, clip_time(rig, clips.turn, phase + double(locomotion.turn_phase)), turn);
     return count;
 }
 
-GaitCell cell_at(const Locomotion &locomotion, double gait, double phase) noexcept
+GaitCell cell_at(const Locomotion &locomotion, double gait, double turn, double phase) noexcept
 {
     double by_gait = 0;
     const uint32_t step = step_below(gait, by_gait);
@@ -85,8 +89,10 @@ GaitCell cell_at(const Locomotion &locomotion, double gait, double phase) noexce
     if (first >= phase_count) first = phase_count - 1;
     const uint32_t next = first + 1 < phase_count ? first + 1 : 0;
     const double part = at - first;
-    return mix(mix(locomotion.cell(step, first), locomotion.cell(step, next), part),
-               mix(locomotion.cell(step + 1, first), locomotion.cell(step + 1, next), part), by_gait);
+    const GaitCell on_axis = mix(mix(locomotion.cell(step, first), locomotion.cell(step, next), part),
+                                 mix(locomotion.cell(step + 1, first), locomotion.cell(step + 1, next), part), by_gait);
+    if (!(turn > 0) || locomotion.turn_cells.empty()) return on_axis;
+    return mix(on_axis, mix(locomotion.turn_cells[first], locomotion.turn_cells[next], part), turn < 1 ? turn : 1);
 }
 
 double cycle_s_at(const Locomotion &locomotion, double gait) noexcept

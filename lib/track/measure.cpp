@@ -4,7 +4,7 @@
 
 #include "lib/base/error.h"
 #include "lib/pose/pose.h"
-#include "lib/track/locomotion.h"
+#include "lib/track/clip_checks.h"
 #include "lib/track/sole.h"
 
 namespace claque::track
@@ -15,48 +15,6 @@ namespace
 
 using base::fail;
 using model::none;
-
-const char *name_of(const model::Rig &rig, uint32_t clip)
-{
-    return clip < rig.clip_names.size() ? rig.clip_names[clip].c_str() : "";
-}
-
-void check_clips(const model::Template &tmpl, const LocomotionClips &clips)
-{
-    const model::Rig &rig = tmpl.rig;
-    const size_t count = rig.clips.size();
-    const auto check = [&](const char *what, uint32_t clip, bool must_move) {
-        if (clip >= count)
-            fail(CLQ_ARGUMENT, "the %s is clip %u of %zu of template '%s'", what, clip, count, tmpl.name.c_str());
-        if (must_move && !(rig.clips[clip].duration_s > 0))
-            fail(CLQ_ARGUMENT, "the %s is clip %u ('%s'), which has no length", what, clip, name_of(rig, clip));
-    };
-    check("walk", clips.walk, true);
-    if (clips.run != none) check("run", clips.run, true);
-    if (clips.idle_count > max_idles)
-        fail(CLQ_ARGUMENT, "%u clips to stand with: at most %u are possible", clips.idle_count, max_idles);
-    for (uint32_t i = 0; i < clips.idle_count; ++i) check("standing clip", clips.idles[i], false);
-}
-
-void check_legs(const model::Template &tmpl, const LocomotionClips &clips)
-{
-    const model::Rig &rig = tmpl.rig;
-    for (const auto &leg : clips.legs)
-        for (int part = 0; part < 4; ++part) {
-            const uint32_t node = leg[part];
-            if (part == 3 && node == none) continue;
-            if (node >= rig.node_count())
-                fail(CLQ_ARGUMENT, "a leg of template '%s' has node %u of %u", tmpl.name.c_str(), node,
-                     rig.node_count());
-            if (part != 1 && part != 3) continue;
-            uint32_t above = rig.parents[node];
-            while (above != none && above != leg[part - 1]) above = rig.parents[above];
-            if (above == none)
-                fail(CLQ_ARGUMENT, "node %u ('%s') of a leg of template '%s' is not below node %u ('%s')", node,
-                     rig.node_names[node].c_str(), tmpl.name.c_str(), leg[part - 1],
-                     rig.node_names[leg[part - 1]].c_str());
-        }
-}
 
 glm::vec3 place_of(const pose::Workspace &work, uint32_t node) { return work.global(node).column(3); }
 
@@ -94,21 +52,34 @@ void set_legs(const model::Template &tmpl, Locomotion &out)
     }
 }
 
+void set_upper(const model::Template &tmpl, Locomotion &out)
+{
+    std::pmr::memory_resource *memory = out.cells.get_allocator().resource();
+    const auto below = [&](uint32_t node) {
+        return node == none ? Array<uint32_t>(memory) : pose::nodes_below(tmpl.rig, node, none, memory);
+    };
+    pose::Upper &upper = out.upper;
+    upper.torso = out.clips.torso, upper.neck = out.clips.neck, upper.head = out.clips.head;
+    upper.torso_nodes = below(upper.torso), upper.neck_nodes = below(upper.neck), upper.head_nodes = below(upper.head);
+    upper.centre_x = tmpl.sklsroot.centre.x, upper.centre_z = tmpl.sklsroot.centre.z;
+    upper.room = out.legs[0].max_shift;
+}
+
 // The feet over one cycle of one gait.
 struct FootPath {
     double low[2][phase_count];                                      // height of the lower of ball and heel
-    double x[2][phase_count], y[2][phase_count], z[2][phase_count];  // of the ball
-    glm::dvec3 hip[2][phase_count];  // from the foot's node to the ball of the foot, taken from the hip
-    double length[2][phase_count];   // of the leg
+    double x[2][phase_count], y[2][phase_count], z[2][phase_count];  // of the sole
+    glm::dvec3 hip[2][phase_count], node[2][phase_count];            // the foot's node as seen from the sole
+    double length[2][phase_count];                                   // of the leg
 };
 
-FootPath watch(const Locomotion &locomotion, float gait, pose::Workspace &work)
+FootPath watch(const Locomotion &locomotion, float gait, float turn, pose::Workspace &work)
 {
     FootPath path{};
     pose::PoseJob job = work.job();
     for (uint32_t p = 0; p < phase_count; ++p) {
         pose::Layer layers[3];
-        const uint32_t count = layers_of(locomotion, gait, double(p) / phase_count, 0, 0, layers);
+        const uint32_t count = layers_of(locomotion, gait, turn, double(p) / phase_count, 0, 0, layers);
         job.layers = {layers, count};
         job.run();
         for (int f = 0; f < 2; ++f) {
@@ -116,10 +87,12 @@ FootPath watch(const Locomotion &locomotion, float gait, pose::Workspace &work)
             const glm::vec3 ball = pose::point_of(job.globals[leg.foot], leg.ball);
             const glm::vec3 heel = pose::point_of(job.globals[leg.foot], leg.heel);
             const glm::vec3 hip = place_of(work, leg.thigh), knee = place_of(work, leg.shin);
-            path.hip[f][p] = glm::dvec3(hip) - (glm::dvec3(place_of(work, leg.foot)) - glm::dvec3(ball));
+            const glm::vec3 sole = pose::sole_of(ball, heel);
+            path.hip[f][p] = glm::dvec3(hip);
+            path.node[f][p] = glm::dvec3(place_of(work, leg.foot)) - glm::dvec3(sole);
             path.length[f][p] = distance(hip, knee) + distance(knee, pose::point_of(job.globals[leg.shin], leg.ankle));
             path.low[f][p] = double(std::min(ball.y, heel.y));
-            path.x[f][p] = double(ball.x), path.y[f][p] = double(ball.y), path.z[f][p] = double(ball.z);
+            path.x[f][p] = double(sole.x), path.y[f][p] = double(sole.y), path.z[f][p] = double(sole.z);
         }
     }
     return path;
@@ -160,9 +133,42 @@ void fill_flight(double advance[phase_count], const bool known[phase_count])
     }
 }
 
+// Where the feet are at a phase, whether they carry weight, and how far their legs reach.
+void set_feet(const FootPath &path, const bool supports[2][phase_count], uint32_t p, GaitCell &cell)
+{
+    for (int f = 0; f < 2; ++f) {
+        cell.x[f] = static_cast<float>(path.x[f][p]), cell.z[f] = static_cast<float>(path.z[f][p]);
+        cell.supports[f] = supports[f][p];
+        // The foot comes down to the ground, and with it the ankle; the hip stays.
+        const glm::dvec3 &hip = path.hip[f][p], &node = path.node[f][p];
+        const double height = hip.y - (path.y[f][p] + node.y - path.low[f][p]);
+        const double square = path.length[f][p] * path.length[f][p] - height * height;
+        cell.reach[f] = static_cast<float>(square > 0 ? std::sqrt(square) : 0);
+        cell.hip_x[f] = static_cast<float>(hip.x), cell.hip_z[f] = static_cast<float>(hip.z);
+        cell.node_x[f] = static_cast<float>(node.x), cell.node_z[f] = static_cast<float>(node.z);
+    }
+}
+
+// Steps on the spot: a foot carries weight while it is low.
+void measure_turn(Locomotion &out, pose::Workspace &work)
+{
+    const FootPath path = watch(out, 0, 1, work);
+    bool supports[2][phase_count];
+    for (int f = 0; f < 2; ++f) {
+        const double ground = *std::min_element(path.low[f], path.low[f] + phase_count);
+        for (uint32_t p = 0; p < phase_count; ++p)
+            supports[f][p] = path.low[f][p] <= ground + 0.012 * double(out.leg_length);
+    }
+    out.turn_cells.resize(phase_count);
+    for (uint32_t p = 0; p < phase_count; ++p) {
+        if (!supports[0][p] && !supports[1][p]) supports[path.low[0][p] <= path.low[1][p] ? 0 : 1][p] = true;
+        set_feet(path, supports, p, out.turn_cells[p]);
+    }
+}
+
 void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
 {
-    const FootPath path = watch(out, gait_steps[step], work);
+    const FootPath path = watch(out, gait_steps[step], 0, work);
     bool supports[2][phase_count], known[phase_count] = {};
     for (int f = 0; f < 2; ++f) {
         if (step == 0) std::fill(supports[f], supports[f] + phase_count, true);
@@ -182,7 +188,8 @@ void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
     if (step > 0 && !(*std::max_element(advance, advance + phase_count) > 0))
         fail(CLQ_ARGUMENT,
              "no foot of template '%s' moves back over the ground at gait %g: clip %u ('%s') does not walk",
-             out.tmpl->name.c_str(), double(gait_steps[step]), out.clips.walk, name_of(out.tmpl->rig, out.clips.walk));
+             out.tmpl->name.c_str(), double(gait_steps[step]), out.clips.walk,
+             clip_name(out.tmpl->rig, out.clips.walk));
     if (step > 0) fill_flight(advance, known);
     for (const double a : advance) sum += a / phase_count;
     out.stride[step] = static_cast<float>(sum);
@@ -190,27 +197,48 @@ void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
         GaitCell &cell = out.cells[step * phase_count + p];
         // A foot that pauses must not stop the body: the phase would never get on.
         cell.advance = static_cast<float>(std::max(advance[p], 0.35 * sum));
-        for (int f = 0; f < 2; ++f) {
-            cell.x[f] = static_cast<float>(path.x[f][p]), cell.z[f] = static_cast<float>(path.z[f][p]);
-            cell.supports[f] = supports[f][p];
-            // The foot comes down to the ground, and with it the ankle; the hip stays.
-            const glm::dvec3 &hip = path.hip[f][p];
-            const double height = hip.y - (path.y[f][p] - path.low[f][p]);
-            const double square = path.length[f][p] * path.length[f][p] - height * height;
-            cell.reach[f] = static_cast<float>(square > 0 ? std::sqrt(square) : 0);
-            cell.reach_x[f] = static_cast<float>(hip.x), cell.reach_z[f] = static_cast<float>(hip.z);
-        }
+        set_feet(path, supports, p, cell);
     }
 }
 
-// The phase at which the left foot begins to carry weight.
-double strike_of(const Locomotion &locomotion, uint32_t step)
+// The phase at which the left foot begins to carry weight. `cells`: [phase_count]
+double strike_of(const GaitCell *cells)
 {
     for (uint32_t p = 0; p < phase_count; ++p)
-        if (locomotion.cell(step, p).supports[0] > 0 &&
-            !(locomotion.cell(step, (p + phase_count - 1) % phase_count).supports[0] > 0))
+        if (cells[p].supports[0] > 0 && !(cells[(p + phase_count - 1) % phase_count].supports[0] > 0))
             return double(p) / phase_count;
     return 0;
+}
+
+void set_cycles(const model::Rig &rig, Locomotion &out)
+{
+    const auto length = [&](uint32_t clip) { return double(rig.clips[clip].duration_s); };
+    const LocomotionClips &clips = out.clips;
+    const double walk_s = length(clips.walk), run_s = clips.run == none ? walk_s : length(clips.run);
+    const double slow_s = clips.slow == none ? walk_s : length(clips.slow);
+    for (uint32_t step = 0; step < gait_step_count; ++step) {
+        const double gait = double(gait_steps[step]), slow = double(slow_gait);
+        const double slowly = std::min(1.0, std::max(0.0, (1 - gait) / (1 - slow)));
+        out.cycle_s[step] =
+            static_cast<float>(walk_s + (slow_s - walk_s) * slowly + (run_s - walk_s) * std::max(0.0, gait - 1));
+    }
+    if (clips.turn != none) out.turn_cycle_s = rig.clips[clips.turn].duration_s;
+}
+
+// The clips by themselves, so that their left feet strike together.
+void set_phases(Locomotion &out, pose::Workspace &work)
+{
+    const auto strike = [&](uint32_t step) {
+        measure_step(out, step, work);
+        return strike_of(&out.cell(step, 0));
+    };
+    const double walk = strike(walk_step);
+    if (out.clips.run != none) out.run_phase = static_cast<float>(strike(gait_step_count - 1) - walk);
+    if (out.clips.slow != none) out.slow_phase = static_cast<float>(strike(slow_step) - walk);
+    if (out.clips.turn == none) return;
+    measure_turn(out, work);
+    out.turn_phase = static_cast<float>(strike_of(out.turn_cells.data()) - walk);
+    measure_turn(out, work);
 }
 
 }  // namespace
@@ -223,30 +251,16 @@ void measure(const model::Template &tmpl, const LocomotionClips &clips, Locomoti
     find_legs(tmpl.rig, out.clips);
     check_legs(tmpl, out.clips);
     set_legs(tmpl, out);
+    find_upper(tmpl.rig, out.clips);
+    check_upper(tmpl, out.clips);
+    set_upper(tmpl, out);
     out.cells.resize(size_t(gait_step_count) * phase_count);
 
-    const model::Rig &rig = tmpl.rig;
-    const double walk_s = double(rig.clips[clips.walk].duration_s);
-    const double run_s = clips.run == none ? walk_s : double(rig.clips[clips.run].duration_s);
-    for (uint32_t step = 0; step < gait_step_count; ++step) {
-        const double running = std::max(0.0, double(gait_steps[step]) - 1);
-        out.cycle_s[step] = static_cast<float>(walk_s + (run_s - walk_s) * running);
-    }
-    pose::Workspace work(rig, &tmpl.motion);
-    measure_step(out, walk_step, work);
-    if (clips.run != none) {
-        measure_step(out, gait_step_count - 1, work);
-        out.run_phase = static_cast<float>(strike_of(out, gait_step_count - 1) - strike_of(out, walk_step));
-    }
+    set_cycles(tmpl.rig, out);
+    pose::Workspace work(tmpl.rig, &tmpl.motion);
+    set_phases(out, work);
     for (uint32_t step = 0; step < gait_step_count; ++step) measure_step(out, step, work);
-    const double speed = out.walking_speed();
-    if (!(out.stride[walk_step] > 0.1f * out.leg_length))
-        fail(CLQ_ARGUMENT,
-             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is wanted",
-             clips.walk, name_of(rig, clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length));
-    if (clips.run != none && !(out.running_speed() > speed))
-        fail(CLQ_ARGUMENT, "clip %u ('%s') runs at %g units a second, and clip %u ('%s') walks at %g", clips.run,
-             name_of(rig, clips.run), out.running_speed(), clips.walk, name_of(rig, clips.walk), speed);
+    check_speeds(tmpl, out);
 }
 
 }  // namespace claque::track

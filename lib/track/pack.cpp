@@ -32,7 +32,9 @@ void fill(const FinePath &path, uint32_t every, Track &out)
         sample.heading = turns(path.heading[i] / (2 * math::pi));
         sample.phase = turns(path.phase[i]);
         sample.gait = static_cast<uint8_t>(std::floor(path.gait[i] * gait_unit + 0.5));
-        sample.flags = static_cast<uint8_t>((path.stands[i] ? stands_flag : 0) | path.idle[i] << idle_shift);
+        const uint32_t turn = static_cast<uint32_t>(path.turning[i] * turn_unit + 0.5);
+        sample.flags =
+            static_cast<uint8_t>((path.stands[i] ? stands_flag : 0) | path.idle[i] << idle_shift | turn << turn_shift);
         out.samples.push_back(sample);
     }
 }
@@ -55,6 +57,7 @@ bool is_near(const FinePath &path, const Track &track)
         if (2 * math::pi * turn > max_angle_rad) return false;
         if (path.gait[i] > 0 && away(state.phase, path.phase[i]) > max_phase) return false;
         if (std::fabs(double(state.gait) - path.gait[i]) > max_gait) return false;
+        if (std::fabs(double(state.turn) - path.turning[i]) > max_gait) return false;
     }
     return true;
 }
@@ -74,18 +77,31 @@ void pack(const FinePath &path, Track &out)
     }
 }
 
+namespace
+{
+
+// For each whole second the first of `all` that ends after it began.
+template <class Element, class End>
+void index_by_second(const Array<Element> &all, double length_s, const End &end, Array<uint32_t> &out)
+{
+    out.resize(static_cast<size_t>(length_s) + 1);
+    uint32_t i = 0;
+    for (size_t s = 0; s < out.size(); ++s) {
+        while (i < all.size() && end(all[i]) < double(s)) ++i;
+        out[s] = i;
+    }
+}
+
+}  // namespace
+
 void index_plants(Track &track)
 {
-    const size_t seconds = static_cast<size_t>(track.length_s) + 1;
-    for (int f = 0; f < 2; ++f) {
-        const Array<Plant> &plants = track.plants[f];
-        track.first_plants[f].resize(seconds);
-        uint32_t i = 0;
-        for (size_t s = 0; s < seconds; ++s) {
-            while (i < plants.size() && double(plants[i].end_s) < double(s)) ++i;
-            track.first_plants[f][s] = i;
-        }
-    }
+    for (int f = 0; f < 2; ++f)
+        index_by_second(
+            track.plants[f], track.length_s, [](const Plant &p) { return double(p.end_s); }, track.first_plants[f]);
+    if (track.shoulders.empty()) return;
+    const auto end = [](const ShoulderTurn &turn) { return double(turn.at_s) + double(turn.half_s); };
+    index_by_second(track.shoulders, track.length_s, end, track.first_shoulders);
 }
 
 uint64_t hash_of(const Track &track)
@@ -97,8 +113,10 @@ uint64_t hash_of(const Track &track)
     add(track.metres_per_unit), add(track.scale);
     h = base::fnv(h, track.samples.data(), track.samples.size() * sizeof(Sample));
     for (const Array<Plant> &plants : track.plants) h = base::fnv(h, plants.data(), plants.size() * sizeof(Plant));
+    h = base::fnv(h, track.shoulders.data(), track.shoulders.size() * sizeof(ShoulderTurn));
+    h = base::fnv(h, track.ahead.data(), track.ahead.size() * sizeof(uint16_t));
     if (track.previous_hash == 0) return h;
-    add(track.previous_hash), add(track.swings), add(track.stand_count);
+    add(track.previous_hash), add(track.swings), add(track.stand_count), add(track.upper_swing);
     return h;
 }
 

@@ -167,15 +167,18 @@ void join_heading(double max_turn_rad_s, FinePath &path)
 void join_gait(double max_gait, FinePath &path)
 {
     const double offset = double(path.previous->samples.back().gait) / gait_unit - path.gait[path.first];
-    for (uint32_t i = path.first; i < path.count() && i < path.first + gait_fade; ++i)
-        if (i == path.first || !path.stands[i])
-            path.gait[i] =
-                std::clamp(path.gait[i] + left_of(offset, 0, double(i - path.first) / gait_fade), 0.0, max_gait);
+    const double turning = double(turn_of(path.previous->samples.back().flags)) / turn_unit - path.turning[path.first];
+    for (uint32_t i = path.first; i < path.count() && i < path.first + gait_fade; ++i) {
+        if (i > path.first && path.stands[i]) continue;
+        const double part = double(i - path.first) / gait_fade;
+        path.gait[i] = std::clamp(path.gait[i] + left_of(offset, 0, part), 0.0, max_gait);
+        path.turning[i] = std::clamp(path.turning[i] + left_of(turning, 0, part), 0.0, 1.0);
+    }
 }
 
 void join_idle(FinePath &path)
 {
-    uint8_t shown = static_cast<uint8_t>(path.previous->samples.back().flags >> idle_shift);
+    uint8_t shown = static_cast<uint8_t>(idle_of(path.previous->samples.back().flags));
     for (uint32_t i = path.first; i < path.count(); ++i) {
         if (i > path.first && path.gait[i - 1] >= 1) shown = path.idle[i];  // no one sees it change
         path.idle[i] = shown;

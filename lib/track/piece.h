@@ -42,5 +42,7 @@ CarriedFoot carried_foot(const Track &previous, int foot);
 
 // After plants and samples: the rest of each swing that crosses the border starts where the piece before had the foot.
 void join_swings(const Track &previous, Track &out);
+// After everything else: gaze and shoulders go on from where the piece before had them.
+void join_upper(const Track &previous, Track &out);
 
 }  // namespace claque::track

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/vec2.hpp>
+
 #include "lib/track/piece.h"
 
 namespace claque::track
@@ -12,6 +14,7 @@ namespace
 
 constexpr uint32_t min_plant = 4;  // samples: shorter contacts are no steps
 constexpr uint32_t min_swing = 3;
+constexpr double leg_share = 0.97;  // of a straight leg's reach: clips to stand with move the hips
 
 struct Contact {
     uint32_t first, last;
@@ -20,11 +23,19 @@ struct Contact {
 // Places of the ball of a foot, metres from the track's origin.
 struct Foot {
     explicit Foot(std::pmr::memory_resource *memory)
-        : x(memory), z(memory), hip_x(memory), hip_z(memory), reach(memory), down(memory)
+        : x(memory),
+          z(memory),
+          hip_x(memory),
+          hip_z(memory),
+          reach(memory),
+          node_x(memory),
+          node_z(memory),
+          down(memory)
     {
     }
     Array<double> x, z;
     Array<double> hip_x, hip_z, reach;  // GaitCell::reach in the world
+    Array<double> node_x, node_z;       // of the foot, from its sole, in the space of the body
     Array<uint8_t> down;
 };
 
@@ -32,18 +43,20 @@ Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m,
 {
     Foot foot(path.x.get_allocator().resource());
     const uint32_t count = path.count();
-    for (Array<double> *column : {&foot.x, &foot.z, &foot.hip_x, &foot.hip_z, &foot.reach}) column->resize(count);
+    for (Array<double> *column : {&foot.x, &foot.z, &foot.hip_x, &foot.hip_z, &foot.reach, &foot.node_x, &foot.node_z})
+        column->resize(count);
     foot.down.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
-        const GaitCell cell = cell_at(locomotion, path.gait[i], path.phase[i]);
+        const GaitCell cell = cell_at(locomotion, path.gait[i], path.turning[i], path.phase[i]);
         const double c = std::cos(path.heading[i]), s = std::sin(path.heading[i]);
         const double x = double(cell.x[f]) * scale_m, z = double(cell.z[f]) * scale_m;
         foot.x[i] = path.x[i] + x * c + z * s;
         foot.z[i] = path.z[i] - x * s + z * c;
-        const double hip_x = double(cell.reach_x[f]) * scale_m, hip_z = double(cell.reach_z[f]) * scale_m;
+        const double hip_x = double(cell.hip_x[f]) * scale_m, hip_z = double(cell.hip_z[f]) * scale_m;
         foot.hip_x[i] = path.x[i] + hip_x * c + hip_z * s;
         foot.hip_z[i] = path.z[i] - hip_x * s + hip_z * c;
         foot.reach[i] = double(cell.reach[f]) * scale_m;
+        foot.node_x[i] = double(cell.node_x[f]) * scale_m, foot.node_z[i] = double(cell.node_z[f]) * scale_m;
         foot.down[i] = path.stands[i] || cell.supports[f] > 0.5f;
     }
     return foot;
@@ -86,14 +99,59 @@ Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact,
     return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading)};
 }
 
-// How much of what its leg can do a foot needs at a sample to be at its place: the distance from where the clips have
-// it, the straight leg, and the turn against the body.
+// How much of what its leg can do a foot needs at a sample to be at a place: the distance from where the clips have it,
+// the straight leg, and the turn against the body.
 double strain(const Foot &foot, const FinePath &path, const Stance &place, uint32_t i, double max_shift_m)
 {
-    const double shift = std::hypot(foot.x[i] - place.x, foot.z[i] - place.z) / max_shift_m;
-    const double leg = std::hypot(foot.hip_x[i] - place.x, foot.hip_z[i] - place.z) / foot.reach[i];
-    const double turn = std::fabs(path.heading[i] - place.heading_rad) / max_foot_turn_rad;
-    return std::max({leg, shift, turn});
+    const double own = path.heading[i], turn = place.heading_rad - own;
+    const auto node = [&](double heading) {
+        const double c = std::cos(heading), s = std::sin(heading);
+        return glm::dvec2(foot.node_x[i] * c + foot.node_z[i] * s, -foot.node_x[i] * s + foot.node_z[i] * c);
+    };
+    // The foot's node goes round the sole as the foot is turned.
+    const glm::dvec2 wanted =
+        glm::dvec2(place.x, place.z) + node(own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad));
+    const glm::dvec2 clip = glm::dvec2(foot.x[i], foot.z[i]) + node(own);
+    const double shift = std::hypot(wanted.x - clip.x, wanted.y - clip.y) / max_shift_m;
+    // A clip may stretch a leg farther than that by itself.
+    const double own_leg = std::hypot(foot.hip_x[i] - clip.x, foot.hip_z[i] - clip.y);
+    const double allowed = std::max(leg_share * foot.reach[i], 1.02 * own_leg);
+    const double leg = std::hypot(foot.hip_x[i] - wanted.x, foot.hip_z[i] - wanted.y) / allowed;
+    return std::max({leg, shift, std::fabs(turn) / max_foot_turn_rad});
+}
+
+// Adds what is left of a contact where the leg can hold the foot. A foot that the body leaves too far behind is lifted
+// earlier, or comes down later; one round which the body turns is lifted in between.
+void add_held(const Foot &foot, const FinePath &path, double max_shift_m, Contact contact, Array<Contact> &out)
+{
+    Array<Contact> left(out.get_allocator().resource());
+    left.push_back(contact);
+    while (!left.empty()) {
+        Contact &now = left.back();
+        if (now.last < now.first + min_plant) {
+            left.pop_back();
+            continue;
+        }
+        const Stance place = stance_of(foot, path, now, nullptr);
+        double worst = 0;
+        uint32_t at = now.first;
+        for (uint32_t i = now.first; i <= now.last; ++i) {
+            const double here = strain(foot, path, place, i, max_shift_m);
+            if (here > worst) worst = here, at = i;
+        }
+        if (worst < 1) {
+            out.push_back(now);
+            left.pop_back();
+        } else if (at - now.first <= min_plant) {
+            now.first = at + 1;
+        } else if (now.last - at <= min_plant) {
+            now.last = at - 1;
+        } else {
+            const Contact before{now.first, at - min_swing};
+            now.first = at + min_swing;
+            left.push_back(before);
+        }
+    }
 }
 
 // The first contact of a piece if the piece before has begun or planned it.
@@ -103,17 +161,13 @@ struct Begun {
     uint32_t fixed = 0;            // samples that it lasts at least
 };
 
-// A foot that the body leaves too far behind is lifted earlier, or comes down later.
+// As add_held, of a contact that the piece before has begun.
 void shorten(const Foot &foot, const FinePath &path, double max_shift_m, const Begun &begun, Contact &contact)
 {
-    while (contact.last - contact.first > (begun.plant ? begun.fixed : min_plant)) {
-        const Stance place = stance_of(foot, path, contact, begun.plant);
-        const double at_first = begun.plant ? 0 : strain(foot, path, place, contact.first, max_shift_m);
-        const double at_last = strain(foot, path, place, contact.last, max_shift_m);
-        if (std::max(at_first, at_last) < 1) return;
-        if (at_first > at_last) ++contact.first;
-        else --contact.last;
-    }
+    const Stance place = stance_of(foot, path, contact, begun.plant);
+    for (uint32_t i = contact.first + begun.fixed; i <= contact.last; ++i)
+        if (!(strain(foot, path, place, i, max_shift_m) < 1)) contact.last = std::max(i, contact.first + 1) - 1;
+    contact.last = std::max(contact.last, contact.first + begun.fixed);
 }
 
 // Behind the border, on which nothing changes for a moment: no new contact begins, and none ends.
@@ -173,8 +227,14 @@ void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out)
         out.plants[f].reserve(contacts.size() + 1);
         if (carried.has_before) out.plants[f].push_back(carried.before);
         const double max_shift_m = 0.9 * double(locomotion.legs[f].max_shift) * out.scale;
-        for (Contact &contact : contacts) {
-            if (!begun.ends) shorten(foot, path, max_shift_m, begun, contact);
+        Array<Contact> held(contacts.get_allocator().resource());
+        if (begun.plant) {
+            if (!begun.ends) shorten(foot, path, max_shift_m, begun, contacts[0]);
+            held.push_back(contacts[0]);
+        }
+        for (size_t i = begun.plant ? 1 : 0; i < contacts.size(); ++i)
+            add_held(foot, path, max_shift_m, contacts[i], held);
+        for (const Contact &contact : held) {
             out.plants[f].push_back(plant_of(foot, path, contact, begun));
             begun = Begun();
             // The next one behind the end of a piece is where a swing at that end leads to.

@@ -2,6 +2,8 @@
 // places where its feet stand. Immutable; any time is evaluated by itself, in constant time.
 #pragma once
 
+#include <cmath>
+
 #include <glm/vec3.hpp>
 
 #include "lib/track/locomotion.h"
@@ -16,7 +18,7 @@ struct Sample {
     uint16_t heading = 0;  // 65536 to a turn
     uint16_t phase = 0;    // 65536 to a cycle
     uint8_t gait = 0;      // gait_unit: walks
-    uint8_t flags = 0;     // stands, and the idle clip above it
+    uint8_t flags = 0;     // stands; the idle clip; the share of the clip that turns on the spot
 };
 static_assert(sizeof(Sample) == 16, "a sample has 16 bytes");
 
@@ -24,8 +26,12 @@ constexpr double place_step_m = 1.0 / 8192;
 constexpr double gait_unit = 127;
 constexpr double max_foot_turn_rad = 0.7;  // of a foot against its body
 constexpr double landing_s = 0.08;         // in which the ground takes hold of a foot and lets it go
+constexpr float max_shoulder_turn_rad = 0.6f;
 constexpr uint8_t stands_flag = 1;
-constexpr uint32_t idle_shift = 1;
+constexpr uint32_t idle_shift = 1, idle_mask = 3, turn_shift = 3;
+constexpr double turn_unit = 31;  // of the share
+inline uint32_t idle_of(uint8_t flags) { return flags >> idle_shift & idle_mask; }
+inline uint32_t turn_of(uint8_t flags) { return flags >> turn_shift; }
 
 // A foot on the ground from begin_s to end_s, seconds from the start of the track. Metres from the track's origin.
 struct Plant {
@@ -47,11 +53,20 @@ struct Swing {
     float until_s = 0;
 };
 
+// The torso turns while somebody passes closely: from at_s - half_s to at_s + half_s.
+struct ShoulderTurn {
+    float at_s = 0, half_s = 0;
+    float turn_rad = 0;  // at at_s, positive to the left
+};
+
 struct Track {
     explicit Track(std::pmr::memory_resource *memory)
         : samples(memory),
           plants{Array<Plant>(memory), Array<Plant>(memory)},
-          first_plants{Array<uint32_t>(memory), Array<uint32_t>(memory)}
+          first_plants{Array<uint32_t>(memory), Array<uint32_t>(memory)},
+          shoulders(memory),
+          first_shoulders(memory),
+          ahead(memory)
     {
     }
 
@@ -69,7 +84,14 @@ struct Track {
     // Of a piece (piece.h). Plants that began before it have negative times, and one may lie behind its end.
     uint64_t previous_hash = 0;  // 0: it continues none
     Swing swings[2];
-    uint32_t stand_count = 0;  // times that the person stood, with the pieces before
+    uint32_t stand_count = 0;         // times that the person stood, with the pieces before
+    Array<ShoulderTurn> shoulders;    // by at_s; they do not overlap
+    Array<uint32_t> first_shoulders;  // likewise; empty if there are none
+    // Of a piece: headings behind its end, on the grid of its samples, and what the piece before showed besides, fading.
+    Array<uint16_t> ahead;
+    struct {
+        float gaze_rad = 0, torso_rad = 0;
+    } upper_swing;
 
     // From what it was made of.
     double mean_shift_m = 0, max_shift_m = 0;  // between the given and the shown path, at the given times
@@ -85,6 +107,7 @@ struct State {
     double heading_rad = 0;  // about y; 0 looks along +z
     double phase = 0;        // cycles
     float gait = 0;
+    float turn = 0;  // [0, 1] share of the clip that turns on the spot
     bool stands = false;
     uint32_t idle = 0;
 };
@@ -108,6 +131,37 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
 
 // Of a foot in the air.
 Correction correction_at(const Track &track, const State &state, int foot, double time_s) noexcept;
+// Where an actor in `state` looks, and how it holds its shoulders: the gaze goes where the heading will be half a second
+// later.
+pose::UpperTarget upper_at(const Track &track, const State &state, double time_s) noexcept;
+
+// Calls each(seconds since the start, foot) where a foot comes down, and each(seconds, idle clip) where a person begins to
+// stand, after from_s and up to to_s, give or take rounding. What holds at the start is not reported.
+template <class Each>
+void for_steps(const Track &track, double from_s, double to_s, const Each &each)
+{
+    for (int f = 0; f < 2; ++f) {
+        const Array<uint32_t> &index = track.first_plants[f];
+        const double second = from_s > 0 ? std::floor(from_s) : 0;
+        if (!(second < double(index.size()))) continue;
+        for (uint32_t i = index[static_cast<size_t>(second)]; i < track.plants[f].size(); ++i) {
+            const double begin_s = double(track.plants[f][i].begin_s);
+            if (begin_s > to_s || begin_s > track.length_s) break;
+            if (begin_s > 0 && begin_s >= from_s) each(begin_s, f);
+        }
+    }
+}
+
+template <class Each>
+void for_stands(const Track &track, double from_s, double to_s, const Each &each)
+{
+    const double last = double(track.samples.size()) - 1;
+    const double first = from_s > 0 ? std::floor(from_s * track.rate_hz) : 0;
+    for (double i = first < 1 ? 1 : first; i <= last && i / track.rate_hz <= to_s; ++i) {
+        const Sample &before = track.samples[static_cast<size_t>(i) - 1], &now = track.samples[static_cast<size_t>(i)];
+        if (!(before.flags & stands_flag) && now.flags & stands_flag) each(i / track.rate_hz, idle_of(now.flags));
+    }
+}
 
 // From 0 to 1 with no slope at both ends.
 inline double eased(double t) { return t <= 0 ? 0 : t >= 1 ? 1 : t * t * (3 - 2 * t); }
@@ -117,7 +171,7 @@ inline double end_of(const Track &track) { return track.start_s + track.length_s
 // Upper bound of the speed in all three dimensions at any time; infinite for a path that jumps.
 double top_speed_of(const Track &track);
 
-// Computes first_plants, and the hash of everything above it.
+// Computes first_plants and first_shoulders, and the hash of everything above it.
 void index_plants(Track &track);
 uint64_t hash_of(const Track &track);
 

@@ -34,6 +34,9 @@ void walk(Archive &a, T &track)
         });
     a.value(track.previous_hash), a.value(track.stand_count);
     for (auto &s : track.swings) a.value(s.x), a.value(s.z), a.value(s.turn_rad), a.value(s.until_s);
+    a.value(track.upper_swing.gaze_rad), a.value(track.upper_swing.torso_rad);
+    a.array(track.ahead, 2, [&](auto &heading) { a.value(heading); });
+    a.array(track.shoulders, 12, [&](auto &turn) { a.value(turn.at_s), a.value(turn.half_s), a.value(turn.turn_rad); });
 }
 
 void check_plants(const Array<Plant> &plants, bool piece)
@@ -45,6 +48,17 @@ void check_plants(const Array<Plant> &plants, bool piece)
         for (const float x : {p.end_s, p.x, p.z, p.heading_rad, p.begin_x, p.begin_z, p.end_x, p.end_z})
             good = good && std::isfinite(x);
         if (!good) fail(CLQ_FORMAT, "step %zu of a saved track is impossible", i);
+    }
+}
+
+void check_shoulders(const Array<ShoulderTurn> &shoulders)
+{
+    for (size_t i = 0; i < shoulders.size(); ++i) {
+        const ShoulderTurn &turn = shoulders[i];
+        const bool good = std::isfinite(turn.at_s) && turn.half_s > 0 && turn.half_s < 10 &&
+                          std::fabs(turn.turn_rad) <= max_shoulder_turn_rad &&
+                          (i == 0 || turn.at_s - turn.half_s >= shoulders[i - 1].at_s + shoulders[i - 1].half_s);
+        if (!good) fail(CLQ_FORMAT, "turn %zu of the shoulders of a saved track is impossible", i);
     }
 }
 
@@ -62,12 +76,16 @@ void check(const Track &track, const Locomotion &locomotion)
              track.samples.size());
     for (const Sample &sample : track.samples)
         if (double(sample.gait) > double(locomotion.max_gait()) * gait_unit ||
-            sample.flags >> idle_shift >= std::max(1u, locomotion.clips.idle_count))
+            idle_of(sample.flags) >= std::max(1u, locomotion.clips.idle_count) ||
+            (turn_of(sample.flags) > 0 && locomotion.clips.turn == model::none))
             fail(CLQ_FORMAT, "a saved track plays a gait or clip that its locomotion lacks");
     for (const Array<Plant> &plants : track.plants) check_plants(plants, track.previous_hash != 0);
     for (const Swing &s : track.swings)
         for (const float x : {s.x, s.z, s.turn_rad, s.until_s})
             if (!std::isfinite(x)) fail(CLQ_FORMAT, "a step of a saved track is impossible");
+    check_shoulders(track.shoulders);
+    if (!(std::fabs(track.upper_swing.gaze_rad) < 4) || !(std::fabs(track.upper_swing.torso_rad) < 4))
+        fail(CLQ_FORMAT, "the gaze of a saved track is impossible");
 }
 
 }  // namespace
@@ -76,13 +94,15 @@ uint64_t hash_of(const Locomotion &locomotion)
 {
     uint64_t h = base::fnv_start;
     const auto add = [&h](const auto &value) { h = base::fnv(h, &value, sizeof value); };
-    add(locomotion.clips.walk), add(locomotion.clips.run), add(locomotion.clips.idle_count);
+    add(locomotion.clips.walk), add(locomotion.clips.run), add(locomotion.clips.slow), add(locomotion.clips.turn);
+    add(locomotion.clips.idle_count);
     for (const uint32_t idle : locomotion.clips.idles) add(idle);
     for (const float stride : locomotion.stride) add(stride);
-    for (const GaitCell &cell : locomotion.cells) {
-        add(cell.advance);
-        for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]), add(cell.reach[f]);
-    }
+    for (const Array<GaitCell> *cells : {&locomotion.cells, &locomotion.turn_cells})
+        for (const GaitCell &cell : *cells) {
+            add(cell.advance);
+            for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]), add(cell.reach[f]);
+        }
     return h;
 }
 

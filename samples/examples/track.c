@@ -48,6 +48,7 @@ int main(void)
     const uint32_t stand = clq_template_find_clip(citizen, "stand");
     walk.tmpl = citizen;
     walk.walk = clq_template_find_clip(citizen, "walk"), walk.run = clq_template_find_clip(citizen, "jog");
+    walk.slow_walk = clq_template_find_clip(citizen, "walk_slow"), walk.turn = clq_template_find_clip(citizen, "turn");
     walk.idle_count = 1, walk.idles = &stand;
     check(clq_locomotion_create(context, &walk, &locomotion));
     clq_locomotion_info measured = clq_locomotion_info_init();

@@ -48,6 +48,8 @@ clq_status Walker::track(const clq_locomotion *locomotion, uint32_t seed, clq_tr
         points[i] = {0.1 * i - 1, {0.5 * std::sin(0.1 * i + seed), 0, z}, NAN};
     }
     clq_track_def def = clq_track_def_init();
+    const clq_track_passing passing = {2, {points[30].position[0] + 0.6, 0, points[30].position[2]}};
     def.point_count = 60, def.points = points, def.seed = seed;
+    def.passing_count = 1, def.passings = &passing;
     return clq_track_create(locomotion, &def, out);
 }

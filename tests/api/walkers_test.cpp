@@ -188,3 +188,75 @@ TEST_F(Walkers, GoOnFromASavedCrowd)
         EXPECT_EQ(clq_view_get_hash(a), clq_view_get_hash(b)) << t;
     }
 }
+
+// Steps and stands against the tracks themselves: feet come down where the state has weight on them.
+TEST_F(Walkers, TellWhenTheyStepAndWhenTheyStand)
+{
+    clq_crowd *crowd = this->crowd();
+    clq_track *track = this->track(1.2, 0);
+    const clq_actor actor = walker(crowd, track, 100);
+    ASSERT_EQ(clq_actor_set_watched(crowd, actor, true), CLQ_OK);
+    const auto events = [&](double from_s, double to_s) {
+        const clq_time_range range = {from_s, to_s};
+        std::vector<clq_event> out(500);
+        size_t count = 0;
+        EXPECT_EQ(clq_crowd_get_events(crowd, &range, out.data(), out.size(), &count), CLQ_OK) << clq_last_error();
+        out.resize(count);
+        return out;
+    };
+    const std::vector<clq_event> all = events(90, 130);
+    int steps[2] = {0, 0}, stands = 0;
+    double stood_s = 0;
+    for (const clq_event &e : all) {
+        if (e.kind == CLQ_EVENT_STEP) {
+            ASSERT_LT(e.marker, 2u);
+            ++steps[e.marker];
+        } else {
+            ASSERT_EQ(e.kind, CLQ_EVENT_STAND) << "nothing else happens on a track";
+            ++stands, stood_s = e.time_s - 100;
+        }
+    }
+    // 13 s of walking with some 1.1 s from one step of a foot to the next, and one stand from the fifth second on.
+    for (const int count : steps) EXPECT_NEAR(count, 12, 3);
+    EXPECT_EQ(stands, 1);
+    clq_track_state before, after;
+    ASSERT_EQ(clq_track_evaluate(track, stood_s - 0.2, &before), CLQ_OK);
+    ASSERT_EQ(clq_track_evaluate(track, stood_s + 0.2, &after), CLQ_OK);
+    EXPECT_FALSE(before.stands);
+    EXPECT_TRUE(after.stands);
+    size_t in_parts = 0;
+    for (int i = 0; i < 4000; ++i) in_parts += events(90 + 0.01 * i, 90 + 0.01 * (i + 1)).size();
+    EXPECT_EQ(in_parts, all.size());
+    // Clips of its own instead of the gait: no steps.
+    clq_play play = clq_play_init();
+    play.clip = clq_template_find_clip(citizen_, "stand");
+    ASSERT_EQ(clq_actor_play(crowd, actor, &play), CLQ_OK) << clq_last_error();
+    for (const clq_event &e : events(90, 130)) EXPECT_NE(e.kind, CLQ_EVENT_STEP);
+}
+
+// What is drawn is what clq_actor_get_node says, and both look ahead of a turn.
+TEST_F(Walkers, LookWhereTheyWillGo)
+{
+    clq_crowd *crowd = this->crowd();
+    clq_track *track = this->track(1.2, 0, 2);
+    const clq_actor actor = walker(crowd, track);
+    clq_view *view = this->view(crowd, 8);
+    const uint32_t head = clq_template_find_node(citizen_, "head");
+    std::vector<float> palette(12 * 33);
+    double most = 0;
+    for (double t = 0.5; t < 12; t += 0.25) {
+        ASSERT_EQ(clq_crowd_update(crowd, t, &view, 1), CLQ_OK);
+        if (visible(view) == 0) continue;
+        ASSERT_EQ(clq_view_get_palette(view, 0, palette.data(), 33), CLQ_OK) << clq_last_error();
+        double node[16] = {};
+        ASSERT_EQ(clq_actor_get_node(crowd, actor, head, t, node), CLQ_OK) << clq_last_error();
+        clq_track_state state;
+        ASSERT_EQ(clq_track_evaluate(track, t, &state), CLQ_OK);
+        // The third column of each: the people's rest pose has no rotations.
+        const double drawn = std::atan2(double(palette[12 * head + 6]), double(palette[12 * head + 8]));
+        const double told = std::atan2(node[8], node[10]) - state.heading_rad;
+        EXPECT_NEAR(std::remainder(drawn - told, 6.283185307), 0, 1e-3) << t;
+        most = std::max(most, std::fabs(drawn));
+    }
+    EXPECT_GT(most, 0.3);
+}

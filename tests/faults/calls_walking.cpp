@@ -96,6 +96,20 @@ void add_tracks(std::vector<Call> &all)
                        return status == CLQ_OK ? make_piece(w.test, w.out<clq_track>()) : status;
                    },
                    0, note_track});
+    all.push_back({"clq_find_passings",
+                   [](W w) {
+                       clq_track_point points[2][2] = {{{0, {0, 0, 0}, 0}, {4, {0, 0, 4}, 0}},
+                                                       {{0, {0.5, 0, 4}, 0}, {4, {0.5, 0, 0}, 0}}};
+                       clq_track_def defs[2] = {clq_track_def_init(), clq_track_def_init()};
+                       for (int i = 0; i < 2; ++i) defs[i].points = points[i], defs[i].point_count = 2;
+                       const clq_track_def *const both[2] = {&defs[0], &defs[1]};
+                       clq_found_passing found[4];
+                       size_t count = 0;
+                       const clq_status status = clq_find_passings(w.test.context, both, 2, found, 4, &count);
+                       if (status == CLQ_OK) w.found = count;
+                       return status;
+                   },
+                   0});
     all.push_back({"clq_track_load",
                    [](W w) {
                        const std::vector<unsigned char> bytes = saved(w.test.tracks[0]);

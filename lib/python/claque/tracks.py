@@ -15,9 +15,13 @@ class Locomotion(Owned):
 
     _destroy = "clq_locomotion_destroy"
 
-    def __init__(self, template, walk="walk", run=None, idles=()):
-        definition = abi_tracks.LocomotionDef(tmpl=template.handle, walk=template.clip(walk),
-                                       run=abi.NONE if run is None else template.clip(run))
+    def __init__(self, template, walk="walk", run=None, idles=(), slow_walk=None, turn=None):
+        def number(name):
+            return abi.NONE if name is None else template.clip(name)
+
+        definition = abi_tracks.LocomotionDef(tmpl=template.handle, walk=template.clip(walk), run=number(run),
+                                       slow_walk=number(slow_walk), turn=number(turn), torso=abi.NONE, neck=abi.NONE,
+                                       head=abi.NONE)
         idles = (c_uint32 * len(idles))(*[template.clip(name) for name in idles])
         definition.idle_count, definition.idles = len(idles), cast(idles, POINTER(c_uint32))
         for leg in definition.legs:

@@ -39,6 +39,27 @@ size_t member_of(const std::vector<Member> &cast, double share)
     return cast.size() - 1;
 }
 
+std::vector<clq_track_def> defs_of(const std::vector<std::vector<clq_track_point>> &points)
+{
+    std::vector<clq_track_def> defs(points.size(), clq_track_def_init());
+    for (size_t i = 0; i < points.size(); ++i)
+        defs[i].points = points[i].data(), defs[i].point_count = static_cast<uint32_t>(points[i].size());
+    return defs;
+}
+
+// Who passes whom closely: shoulders turn then.
+std::vector<clq_found_passing> passings_of(Library &library, const std::vector<clq_track_def> &defs)
+{
+    std::vector<const clq_track_def *> all;
+    for (const clq_track_def &def : defs) all.push_back(&def);
+    const uint32_t count = static_cast<uint32_t>(all.size());
+    size_t found = 0;
+    check(clq_find_passings(library.context(), all.data(), count, nullptr, 0, &found));
+    std::vector<clq_found_passing> passings(found);
+    check(clq_find_passings(library.context(), all.data(), count, passings.data(), passings.size(), &found));
+    return passings;
+}
+
 }  // namespace
 
 OwnTrajectories load(Library &library, const Options &options)
@@ -73,30 +94,39 @@ Plan plan_of(const clq_trajectories *trajectories, const Options &options)
     return plan;
 }
 
-std::vector<Person> tracks_of(const clq_trajectories *trajectories, const Plan &plan, const std::vector<Member> &cast,
-                              uint64_t seed, const std::function<void(size_t, size_t)> &progress)
+std::vector<Person> tracks_of(Library &library, const clq_trajectories *trajectories, const Plan &plan,
+                              const std::vector<Member> &cast, uint64_t seed,
+                              const std::function<void(size_t, size_t)> &progress)
 {
     clq_trajectories_info info = clq_trajectories_info_init();
     check(clq_trajectories_get_info(trajectories, &info));
     const clq_trajectory_sample *samples = clq_trajectories_get_samples(trajectories);
+    std::vector<clq_trajectory_person> all(info.person_count, clq_trajectory_person_init());
+    std::vector<std::vector<clq_track_point>> points;
+    for (uint32_t i = 0; i < info.person_count; ++i) {
+        check(clq_trajectories_get_person(trajectories, i, &all[i]));
+        points.push_back(points_of(all[i], samples, plan));
+    }
+    std::vector<clq_track_def> defs = defs_of(points);
+    const std::vector<clq_found_passing> passings = passings_of(library, defs);
+    size_t next = 0;
     std::vector<Person> people;
     for (uint32_t i = 0; i < info.person_count; ++i) {
-        clq_trajectory_person found = clq_trajectory_person_init();
-        check(clq_trajectories_get_person(trajectories, i, &found));
         Person person;
-        person.id = found.id;
+        person.id = all[i].id;
         person.member = member_of(cast, random_unit(seed, i, Purpose::clip));
         const Member &member = cast[person.member];
         person.scale = member.scale * random_between(seed, i, Purpose::size, 0.95, 1.05);
-        const std::vector<clq_track_point> points = points_of(found, samples, plan);
-        clq_track_def def = clq_track_def_init();
-        def.points = points.data(), def.point_count = static_cast<uint32_t>(points.size());
+        clq_track_def &def = defs[i];
+        std::vector<clq_track_passing> own;
+        while (next < passings.size() && passings[next].track == i) own.push_back(passings[next++].passing);
+        def.passings = own.data(), def.passing_count = static_cast<uint32_t>(own.size());
         def.scale = static_cast<float>(person.scale);
         def.seed = random_bits(seed, i, Purpose::act);
         clq_track *made = nullptr;
         check(clq_track_create(member.locomotion.get(), &def, &made), "person " + person.id);
         person.track.reset(made);
-        person.start_s = points.front().time_s, person.end_s = points.back().time_s;
+        person.start_s = points[i].front().time_s, person.end_s = points[i].back().time_s;
         people.push_back(std::move(person));
         progress(i + 1, info.person_count);
     }

@@ -37,8 +37,10 @@ struct Person {
     double scale = 1;
 };
 
-// One track for each person, with a member of the cast and a size by hash. Throws Failure.
-std::vector<Person> tracks_of(const clq_trajectories *trajectories, const Plan &plan, const std::vector<Member> &cast,
-                              uint64_t seed, const std::function<void(size_t, size_t)> &progress);
+// One track for each person, with a member of the cast and a size by hash; shoulders turn where people pass closely.
+// Throws Failure.
+std::vector<Person> tracks_of(Library &library, const clq_trajectories *trajectories, const Plan &plan,
+                              const std::vector<Member> &cast, uint64_t seed,
+                              const std::function<void(size_t, size_t)> &progress);
 
 }  // namespace scenes::walkers

@@ -35,7 +35,7 @@ public:
         if (classes.empty())
             for (const char *name : people_of_rome) classes.push_back(walkers::class_of(name));
         for (const SocialClass &one : classes) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
-        people_ = tracks_of(trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
+        people_ = tracks_of(library, trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
         for (const Person &person : people_) enter(person);
         busiest_s_ = busiest();
         asked_at(options.places.area, [&] { lay(library, options, plan_, ground_); });

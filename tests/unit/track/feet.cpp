@@ -75,7 +75,8 @@ const Soles::Posed &Soles::at(const track::Track &track, double time_s, bool hel
     const track::State state = track::state_at(track, time_s);
     pose::Layer layers[3];
     pose::PoseJob job = work_.job();
-    job.layers = {layers, track::layers_of(*locomotion_, state.gait, state.phase, state.idle, time_s, layers)};
+    job.layers = {layers,
+                  track::layers_of(*locomotion_, state.gait, state.turn, state.phase, state.idle, time_s, layers)};
     const pose::FootTarget feet[] = {track::foot_at(track, state, 0, time_s), track::foot_at(track, state, 1, time_s)};
     if (held) job.feet = {feet, 2};
     job.run();

@@ -20,7 +20,9 @@ struct Walker {
             if (figure == builtin.name) meshsplit::build(builtin.make(), {}, tmpl);
         track::LocomotionClips clips;
         clips.walk = tmpl.rig.find_clip("walk"), clips.run = tmpl.rig.find_clip("jog");
-        clips.idle_count = 1, clips.idles[0] = tmpl.rig.find_clip("stand");
+        clips.slow = tmpl.rig.find_clip("walk_slow"), clips.turn = tmpl.rig.find_clip("turn");
+        for (const char *name : {"stand", "stand_look", "stand_shift"})
+            clips.idles[clips.idle_count++] = tmpl.rig.find_clip(name);
         track::measure(tmpl, clips, locomotion);
     }
     model::Template tmpl;

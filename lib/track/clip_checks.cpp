@@ -1,0 +1,93 @@
+#include "lib/track/clip_checks.h"
+
+#include "lib/base/error.h"
+
+namespace claque::track
+{
+
+using base::fail;
+using model::none;
+
+const char *clip_name(const model::Rig &rig, uint32_t clip)
+{
+    return clip < rig.clip_names.size() ? rig.clip_names[clip].c_str() : "";
+}
+
+void check_clips(const model::Template &tmpl, const LocomotionClips &clips)
+{
+    const model::Rig &rig = tmpl.rig;
+    const size_t count = rig.clips.size();
+    const auto check = [&](const char *what, uint32_t clip, bool must_move) {
+        if (clip >= count)
+            fail(CLQ_ARGUMENT, "the %s is clip %u of %zu of template '%s'", what, clip, count, tmpl.name.c_str());
+        if (must_move && !(rig.clips[clip].duration_s > 0))
+            fail(CLQ_ARGUMENT, "the %s is clip %u ('%s'), which has no length", what, clip, clip_name(rig, clip));
+    };
+    check("walk", clips.walk, true);
+    if (clips.run != none) check("run", clips.run, true);
+    if (clips.slow != none) check("slow walk", clips.slow, true);
+    if (clips.turn != none) check("turn", clips.turn, true);
+    if (clips.idle_count > max_idles)
+        fail(CLQ_ARGUMENT, "%u clips to stand with: at most %u are possible", clips.idle_count, max_idles);
+    for (uint32_t i = 0; i < clips.idle_count; ++i) check("standing clip", clips.idles[i], false);
+}
+
+void check_legs(const model::Template &tmpl, const LocomotionClips &clips)
+{
+    const model::Rig &rig = tmpl.rig;
+    for (const auto &leg : clips.legs)
+        for (int part = 0; part < 4; ++part) {
+            const uint32_t node = leg[part];
+            if (part == 3 && node == none) continue;
+            if (node >= rig.node_count())
+                fail(CLQ_ARGUMENT, "a leg of template '%s' has node %u of %u", tmpl.name.c_str(), node,
+                     rig.node_count());
+            if (part != 1 && part != 3) continue;
+            uint32_t above = rig.parents[node];
+            while (above != none && above != leg[part - 1]) above = rig.parents[above];
+            if (above == none)
+                fail(CLQ_ARGUMENT, "node %u ('%s') of a leg of template '%s' is not below node %u ('%s')", node,
+                     rig.node_names[node].c_str(), tmpl.name.c_str(), leg[part - 1],
+                     rig.node_names[leg[part - 1]].c_str());
+        }
+}
+
+void check_upper(const model::Template &tmpl, const LocomotionClips &clips)
+{
+    const model::Rig &rig = tmpl.rig;
+    const char *names[] = {"torso", "neck", "head"};
+    const uint32_t nodes[] = {clips.torso, clips.neck, clips.head};
+    uint32_t above = none;  // the part below which the next one hangs
+    for (int part = 0; part < 3; ++part) {
+        if (nodes[part] == none) continue;
+        if (nodes[part] >= rig.node_count())
+            fail(CLQ_ARGUMENT, "the %s of template '%s' is node %u of %u", names[part], tmpl.name.c_str(), nodes[part],
+                 rig.node_count());
+        uint32_t node = rig.parents[nodes[part]];
+        while (node != none && node != above) node = rig.parents[node];
+        if (above != none && node == none)
+            fail(CLQ_ARGUMENT, "the %s of template '%s', node %u ('%s'), is not below node %u ('%s')", names[part],
+                 tmpl.name.c_str(), nodes[part], rig.node_names[nodes[part]].c_str(), above,
+                 rig.node_names[above].c_str());
+        above = nodes[part];
+    }
+}
+
+void check_speeds(const model::Template &tmpl, const Locomotion &out)
+{
+    const LocomotionClips &clips = out.clips;
+    const double speed = out.walking_speed();
+    const auto name = [&](uint32_t clip) { return clip_name(tmpl.rig, clip); };
+    if (!(out.stride[walk_step] > 0.1f * out.leg_length))
+        fail(CLQ_ARGUMENT,
+             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is wanted",
+             clips.walk, name(clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length));
+    if (clips.run != none && !(out.running_speed() > speed))
+        fail(CLQ_ARGUMENT, "clip %u ('%s') runs at %g units a second, and clip %u ('%s') walks at %g", clips.run,
+             name(clips.run), out.running_speed(), clips.walk, name(clips.walk), speed);
+    if (clips.slow != none && !(out.slow_speed() < speed))
+        fail(CLQ_ARGUMENT, "clip %u ('%s') walks slowly at %g units a second, and clip %u ('%s') walks at %g",
+             clips.slow, name(clips.slow), out.slow_speed(), clips.walk, name(clips.walk), speed);
+}
+
+}  // namespace claque::track

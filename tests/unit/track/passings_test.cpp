@@ -1,0 +1,60 @@
+// Passings: where people come close to each other as they pass.
+#include "lib/track/passings.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "lib/base/error.h"
+#include "tests/unit/track/made_tracks.h"
+
+using namespace claque;
+
+TEST(Passings, AreNotOfPeopleWhoWalkTogether)
+{
+    const auto a = test::points_of(5, 10, [](double t) { return glm::dvec2(0, 1.2 * t); });
+    const auto b = test::points_of(5, 10, [](double t) { return glm::dvec2(0.5 + 0.1 * std::sin(t), 1.2 * t); });
+    const base::Span<const track::Point> people[] = {{a.data(), 51}, {b.data(), 51}};
+    track::Array<track::FoundPassing> found;
+    track::find_passings({people, 2}, 1, found);
+    EXPECT_TRUE(found.empty());
+}
+
+TEST(Passings, OfACrowdAreThoseThatEachPairHas)
+{
+    std::vector<std::vector<track::Point>> points;
+    for (int i = 0; i < 60; ++i) {
+        const double x = 0.31 * (i * 37 % 60), z = 0.23 * (i * 17 % 60), way = i % 2 ? 1 : -1;
+        points.push_back(test::points_of(3 + i % 5, 8, [=](double t) {
+            return glm::dvec2(x + 0.3 * std::sin(t + i), z + way * (0.8 + 0.01 * i) * (t - 4));
+        }));
+    }
+    std::vector<base::Span<const track::Point>> people;
+    for (const auto &own : points) people.emplace_back(own.data(), static_cast<uint32_t>(own.size()));
+    track::Array<track::FoundPassing> found;
+    track::find_passings({people.data(), 60}, 1, found);
+    size_t by_pairs = 0;
+    for (size_t i = 0; i < people.size(); ++i)
+        for (size_t k = i + 1; k < people.size(); ++k) {
+            const base::Span<const track::Point> two[] = {people[i], people[k]};
+            track::Array<track::FoundPassing> own;
+            track::find_passings({two, 2}, 1, own);
+            by_pairs += own.size();
+        }
+    EXPECT_EQ(found.size(), by_pairs);
+    EXPECT_GT(found.size(), 100u);
+    for (size_t i = 1; i < found.size(); ++i) {
+        ASSERT_LE(found[i - 1].person, found[i].person);
+        if (found[i - 1].person == found[i].person) ASSERT_LE(found[i - 1].passing.time_s, found[i].passing.time_s);
+    }
+}
+
+TEST(Passings, OfPointsThatMeanNothingAreRefused)
+{
+    std::vector<track::Point> bad = test::points_of(5, 1, [](double t) { return glm::dvec2(0, t); });
+    bad[3].time_s = bad[2].time_s;
+    const base::Span<const track::Point> people[] = {{bad.data(), 6}};
+    track::Array<track::FoundPassing> found;
+    EXPECT_THROW(track::find_passings({people, 1}, 1, found), base::Error);
+    EXPECT_THROW(track::find_passings({people, 0}, 0, found), base::Error);
+}
