@@ -62,8 +62,8 @@ struct FinePath {
           speed(memory),
           turn(memory),
           gait(memory),
-          turning(memory),
           phase(memory),
+          turning(memory),
           stands(memory),
           idle(memory),
           pieces(memory)

@@ -6,7 +6,7 @@
 namespace claque::track
 {
 
-constexpr uint32_t track_file_version = 2;
+constexpr uint32_t track_file_version = 3;
 
 // Of what was measured: a track is shown by the locomotion that it was made for, or by an equal one.
 uint64_t hash_of(const Locomotion &locomotion);

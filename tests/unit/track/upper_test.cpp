@@ -8,7 +8,7 @@
 #include "lib/math/trig.h"
 #include "lib/pose/pose.h"
 #include "lib/track/passings.h"
-#include "tests/unit/track/made_tracks.h"
+#include "tests/unit/track/pieces.h"
 
 using namespace claque;
 
@@ -135,6 +135,26 @@ TEST(Gaze, IsAheadOfATurnOnTheSpot)
     EXPECT_TRUE(looked) << "the head turns while the body still stands";
 }
 
+TEST(Gaze, OfPiecesIsThatOfTheWholeTrackAndDoesNotJump)
+{
+    for (const char *name : {"a corner", "to and fro", "stop and go"}) {
+        const auto whole = test::track_of(way(name).points);
+        const test::Pieces pieces(way(name).points);
+        double before = 0, away = 0, most = 0;
+        int count = 0;
+        for (double t = pieces.start_s(); t < pieces.end_s(); t += 0.02, ++count) {
+            const track::Track &piece = pieces.at(t);
+            const double gaze = double(track::upper_at(piece, track::state_at(piece, t), t).gaze_rad);
+            const double step = count > 0 ? std::fabs(gaze - before) : 0;
+            ASSERT_LT(step, 0.15) << name << " at " << t;
+            away += std::fabs(gaze - double(track::upper_at(*whole, track::state_at(*whole, t), t).gaze_rad));
+            before = gaze, most = std::max(most, std::fabs(gaze));
+        }
+        EXPECT_LT(away / count, 0.05) << name;
+        EXPECT_GT(most, std::string(name) == "stop and go" ? 0 : 0.4) << name;
+    }
+}
+
 TEST(Gaze, IsStraightAheadOnAStraightWay)
 {
     for (const char *name : {"ahead at 0.6 m/s", "ahead at 1.1 m/s", "ahead at 2.6 m/s"}) {
@@ -182,7 +202,8 @@ TEST(Joints, MoveNoFasterThanPeopleCan)
                     << one.name << " node " << n << " at " << t;
             }
             // A glance takes a head to 400 degrees a second.
-            if (!before.empty()) ASSERT_LT(std::fabs(wrapped(head - head_before)), 0.07) << one.name << " at " << t;
+            const double turned = before.empty() ? 0 : std::fabs(wrapped(head - head_before));
+            ASSERT_LT(turned, 0.07) << one.name << " at " << t;
             before = std::move(now), head_before = head;
         }
     }
