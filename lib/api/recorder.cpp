@@ -5,6 +5,7 @@
 
 #include "lib/api/boundary.h"
 #include "lib/record/crowd_def.h"
+#include "lib/record/locomotion_fields.h"
 
 namespace claque::api
 {
@@ -106,11 +107,8 @@ uint32_t Recorder::number_of(const track::Locomotion &locomotion)
         fail(CLQ_LIMIT, "a record has at most %u locomotions", record::max_locomotions);
     const uint32_t tmpl = number_of(*locomotion.tmpl);
     blocks_.entry(Kind::locomotion, [&](crowd::Writer &out) {
-        const track::LocomotionClips &clips = locomotion.clips;
-        out.value(tmpl), out.value(clips.walk), out.value(clips.run), out.value(clips.idle_count);
-        for (const uint32_t idle : clips.idles) out.value(idle);
-        for (const auto &leg : clips.legs)
-            for (const uint32_t node : leg) out.value(node);
+        out.value(tmpl);
+        record::walk_clips(out, locomotion.clips);
     });
     locomotions_.emplace(key, number);
     return number;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/crowd/save.h"
+#include "lib/record/locomotion_fields.h"
 
 namespace claque::record
 {
@@ -32,7 +33,8 @@ void require_number(uint32_t number, size_t count, const char *what)
 bool is_equal(const RecordedLocomotion &a, const RecordedLocomotion &b)
 {
     return a.tmpl == b.tmpl && a.clips.walk == b.clips.walk && a.clips.run == b.clips.run &&
-           a.clips.idle_count == b.clips.idle_count &&
+           a.clips.slow == b.clips.slow && a.clips.turn == b.clips.turn && a.clips.torso == b.clips.torso &&
+           a.clips.neck == b.clips.neck && a.clips.head == b.clips.head && a.clips.idle_count == b.clips.idle_count &&
            std::equal(a.clips.idles, a.clips.idles + a.clips.idle_count, b.clips.idles) &&
            std::equal(&a.clips.legs[0][0], &a.clips.legs[0][0] + 8, &b.clips.legs[0][0]);
 }
@@ -41,12 +43,10 @@ RecordedLocomotion locomotion_of(const Entry &entry)
 {
     crowd::Reader in = reader_of(entry);
     RecordedLocomotion out;
-    in.value(out.tmpl), in.value(out.clips.walk), in.value(out.clips.run), in.value(out.clips.idle_count);
+    in.value(out.tmpl);
+    walk_clips(in, out.clips);
     if (out.clips.idle_count > track::max_idles)
         fail(CLQ_FORMAT, "a record has a locomotion with %u idle clips", out.clips.idle_count);
-    for (uint32_t &idle : out.clips.idles) in.value(idle);
-    for (auto &leg : out.clips.legs)
-        for (uint32_t &node : leg) in.value(node);
     if (in.left() != 0) fail(CLQ_FORMAT, "a locomotion of a record has %zu bytes too many", in.left());
     return out;
 }
