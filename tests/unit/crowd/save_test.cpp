@@ -16,7 +16,7 @@ using namespace testing_support;
 namespace
 {
 
-class Bytes : public Sink
+class Bytes : public base::Sink
 {
 public:
     void take(const uint8_t *bytes, size_t count) override { all.insert(all.end(), bytes, bytes + count); }
