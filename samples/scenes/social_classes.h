@@ -31,7 +31,7 @@ struct SocialClass {
     // Where people walk.
     double share = 1;
     struct Clips {
-        std::string walk, run;  // names of its clips; empty: found by their usual names
+        std::string walk, slow_walk, run, turn;  // names of its clips; empty: found by their usual names
         std::vector<std::string> idles;
     };
     Clips clips = {};

@@ -72,7 +72,9 @@ TEST(Scenario, OfTheCornerHasItsTracksClassesGroundAndLight)
     ASSERT_EQ(read.characters.size(), 2u);
     EXPECT_EQ(read.characters[0].share, 3);
     EXPECT_EQ(read.characters[1].clips.run, "jog");
-    EXPECT_EQ(read.characters[1].clips.idles, std::vector<std::string>{"stand"});
+    EXPECT_EQ(read.characters[1].clips.slow_walk, "walk_slow");
+    EXPECT_EQ(read.characters[1].clips.turn, "turn");
+    EXPECT_EQ(read.characters[1].clips.idles, (std::vector<std::string>{"stand", "stand_look"}));
     EXPECT_EQ(read.characters[1].palette.size(), 1u);
     EXPECT_EQ(read.area, scenario_folder + "corner.wkt");
     EXPECT_EQ(read.around->g, 0.50f);

@@ -61,8 +61,9 @@ void read_sitters(TomlTable &described, SocialClass &made)
 
 void read_clips(TomlTable clips, SocialClass::Clips &out)
 {
-    if (clips.has("walk")) out.walk = clips.text("walk");
-    if (clips.has("run")) out.run = clips.text("run");
+    for (const auto &[key, name] :
+         {std::pair("walk", &out.walk), {"slow_walk", &out.slow_walk}, {"run", &out.run}, {"turn", &out.turn}})
+        if (clips.has(key)) *name = clips.text(key);
     if (clips.has("idles")) out.idles = clips.texts("idles");
     clips.done();
     if (out.idles.size() > most_idles)

@@ -74,8 +74,8 @@ OwnLocomotion locomotion_of(Library &library, const Member &member, const clq_te
     def.tmpl = member.tmpl;
     def.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
     def.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
-    def.slow_walk = find_clip(member.tmpl, {"walk_slow", "walking_slow", "walk_formal"});
-    def.turn = find_clip(member.tmpl, {"turn"});
+    def.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
+    def.turn = clip_of(member, clips.turn, {"turn"}, info);
     const std::vector<uint32_t> idles = idles_of(member, info);
     if (def.walk == CLQ_NONE)
         throw Failure("the character " + member.described.character +
