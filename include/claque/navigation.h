@@ -127,9 +127,9 @@ typedef struct clq_walkers_def {
     uint32_t piece_ticks;  /* [2, 200] of a piece of a track. Default 10 */
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
-    /* [0, 5] seconds that a walker keeps to the one before it: its speed is at most the gap between them divided by this.
-     * 0: it walks at full speed until it avoids. Default 0.4: a wide door then lets about as many people through as were
-     * measured (docs/navigation.md) */
+    /* [0, 5] seconds that a walker keeps to the one before it: its speed is at most the gap between them divided by
+     * this. 0: it walks at full speed until it avoids. Default 0.4: a wide door then lets about as many people through
+     * as were measured (docs/navigation.md) */
     float time_gap_s;
 } clq_walkers_def;
 
@@ -255,12 +255,13 @@ CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
 /* Fails: STRUCT_SIZE, ARGUMENT. */
 CLQ_API clq_status clq_walkers_get_info(const clq_walkers *walkers, clq_walkers_info *out);
 
-/* Lets the agents of a stage walk: those whose machine and cast say so (claque/agents.h). Walkers are simulated one piece
- * ahead of the time that is decided, so they turn to a new goal half a second later. Call it before the first agent.
- *   navigation          held
- *   def                 copied; start_s is that of the stage. NULL: clq_walkers_def_init()
- *   locomotions         [locomotion_count] of all casts, in an order that is the same in each run; they live as long as
- *                       the stage. Saved stages name them by number
+/* Lets the agents of a stage walk: those whose machine and cast say so (claque/agents.h). Walkers are simulated one
+ * piece ahead of the time that is decided, so they turn to a new goal half a second later. Call it before the first
+ * agent.
+ *   navigation    held
+ *   def           copied; start_s is that of the stage. NULL: clq_walkers_def_init()
+ *   locomotions   [locomotion_count] of all casts, in an order that is the same in each run; they live as long as the
+ *                 stage. Saved stages name them by number
  * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: the decisions' flow. */
 CLQ_API clq_status clq_stage_set_navigation(clq_stage *stage, clq_navigation *navigation, const clq_walkers_def *def,
                                             const clq_locomotion *const *locomotions, uint32_t locomotion_count);

@@ -16,7 +16,8 @@ struct Grid {
 
 // Throws stage::Error (LIMIT).
 Grid grid_of(const Ground &ground);
-// The triangles of each tile, row by row, counted against the budget before any cell exists. Throws stage::Error (LIMIT).
+// The triangles of each tile, row by row, counted against the budget before any cell exists. Throws stage::Error
+// (LIMIT).
 std::vector<std::vector<int>> share_out(const Ground &ground, const Grid &grid);
 
 }  // namespace claque::walk

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -19,6 +20,9 @@ namespace claque::walk
 {
 
 using Float3 = std::array<float, 3>;
+
+// Not hypot, which asks for a newer C library.
+inline float length_of(float x, float z) { return std::sqrt(x * x + z * z); }
 
 constexpr int max_query_nodes = 8192;
 constexpr int max_way_polys = 256;

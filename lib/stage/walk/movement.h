@@ -1,5 +1,5 @@
-// The Movement of a stage on a navigation (lib/stage/movement.h): walkers that are simulated one piece ahead of the time
-// that is decided, so that the piece of each time is there when the time is decided.
+// The Movement of a stage on a navigation (lib/stage/movement.h): walkers that are simulated one piece ahead of the
+// time that is decided, so that the piece of each time is there when the time is decided.
 #pragma once
 
 #include <vector>

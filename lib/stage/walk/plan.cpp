@@ -17,7 +17,7 @@ bool is_closed(const Mesh &mesh, dtPolyRef polygon)
 
 }  // namespace
 
-// Those whose way a door bars look for another; those whose way ended look again. Who stands in a closed door walks out.
+// Those whose way a door bars look for another; those whose way ended look again. Those in a closed door walk out.
 void Walkers::see_doors()
 {
     if (mesh_version_ == mesh_.version) return;

@@ -64,14 +64,14 @@ void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
 {
     const dtCrowdAgent &a = agent(i);
     const bool walks = bodies_[i].state == CLQ_WALKER_WALKS && a.ncorners > 0;
-    const float speed = std::hypot(a.vel[0], a.vel[2]);
+    const float speed = length_of(a.vel[0], a.vel[2]);
     Float3 at = {a.npos[0], a.npos[1], a.npos[2]};
     int corner = 0;
     for (double t = guess_step_s; t <= ahead_s + 1e-9; t += guess_step_s) {
         float left = walks ? speed * static_cast<float>(guess_step_s) : 0;
         while (left > 0 && corner < a.ncorners) {
             const float *to = a.cornerVerts + 3 * corner;
-            const float x = to[0] - at[0], z = to[2] - at[2], distance = std::hypot(x, z);
+            const float x = to[0] - at[0], z = to[2] - at[2], distance = length_of(x, z);
             if (distance <= left) {
                 at = {to[0], to[1], to[2]}, left -= distance, ++corner;
                 continue;

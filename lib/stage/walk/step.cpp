@@ -14,7 +14,7 @@ constexpr float body_depth = 1.36f;  // from front to back, in radii of the body
 constexpr float min_speed = 0.1f;    // so that no two wait for each other
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
 
-float between(const float *a, const Float3 &b) { return std::hypot(a[0] - b[0], a[2] - b[2]); }
+float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }
 
 }  // namespace
 
@@ -35,16 +35,16 @@ void Walkers::step()
     publish();
 }
 
-// People walk slower the closer the one before them is: the gap between the bodies divided by a time (the collision-free
-// speed model of Tordeux, Chraibi and Seyfried 2016). DetourCrowd alone lets a crowd through a door at twice the rate
-// that was measured. Those who come the other way or stand are walked round.
+// People walk slower the closer the one before them is: the gap between the bodies divided by a time (the
+// collision-free speed model of Tordeux, Chraibi and Seyfried 2016). DetourCrowd alone lets a crowd through a door at
+// twice the rate that was measured. Those who come the other way or stand are walked round.
 void Walkers::keep_distance(uint32_t i)
 {
     const Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
     a.params.maxSpeed = body.speed;
     if (body.state != CLQ_WALKER_WALKS || !(def_.time_gap_s > 0)) return;
-    const float length = std::hypot(a.dvel[0], a.dvel[2]);
+    const float length = length_of(a.dvel[0], a.dvel[2]);
     if (!(length > 0)) return;
     const float x = a.dvel[0] / length, z = a.dvel[2] / length, depth = body_depth * a.params.radius;
     for (int k = 0; k < a.nneis; ++k) {
@@ -53,7 +53,7 @@ void Walkers::keep_distance(uint32_t i)
         const bool ahead = dx * x + dz * z > 0 && std::fabs(dx * z - dz * x) < depth;
         const bool same_way = other.active && other.dvel[0] * x + other.dvel[2] * z > 0;
         if (!ahead || !same_way) continue;
-        const float gap = std::hypot(dx, dz) - depth;
+        const float gap = length_of(dx, dz) - depth;
         a.params.maxSpeed = std::min(a.params.maxSpeed, std::max(min_speed, gap / def_.time_gap_s));
     }
 }

@@ -1,5 +1,5 @@
-// People on a navigation mesh: DetourCrowd moves them, in ticks. The ways are found here and given to the crowd, so that
-// the crowd's own queue of searches stays empty and a tick depends on what is in this struct alone.
+// People on a navigation mesh: DetourCrowd moves them, in ticks. The ways are found here and given to the crowd, so
+// that the crowd's own queue of searches stays empty and a tick depends on what is in this struct alone.
 #pragma once
 
 #include <DetourCrowd.h>

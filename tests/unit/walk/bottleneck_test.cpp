@@ -1,5 +1,5 @@
-// A bottleneck that was measured (Duesseldorf 2009, run AO_300): 348 people leave a hall by an opening of 3 m. Walkers in
-// the same hall, who come where and when the people came, are counted on the same line.
+// A bottleneck that was measured (Duesseldorf 2009, run AO_300): 348 people leave a hall by an opening of 3 m. Walkers
+// in the same hall, which come where and when the people came, are counted on the same line.
 #include <claque/trajectories.h>
 
 #include <algorithm>
