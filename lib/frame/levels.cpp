@@ -34,7 +34,7 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
 // World units a second.
 double ChooseLevels::speed_of(const Candidate &candidate) const
 {
-    return given.crowd.follows().of(candidate.row) ? motions[candidate.tested].speed : 0;
+    return given.crowd.follows().of(candidate.row) ? motions[candidate.tested].limb_speed : 0;
 }
 
 void ChooseLevels::evaluate_candidate(uint32_t i) const

@@ -149,10 +149,10 @@ Motion motion_at(const Track &track, double time_s) noexcept
     const Metres a = point_of(track, from), b = point_of(track, to);
     const Metres m = slope_at(track, place.first), n = slope_at(track, place.first + 1);
     const double x = cubic_slope(a.x, b.x, m.x, n.x, place.part), z = cubic_slope(a.z, b.z, m.z, n.z, place.part);
-    // Feet and arms of a body that turns move too, though it gets nowhere.
     const double reach = turning_reach * double(track.locomotion->leg_length) * track.scale;
     const double turn = turn_rad * std::fabs(angle_at(0, static_cast<uint16_t>(to.heading - from.heading), 1));
-    motion.speed = (std::sqrt(x * x + z * z) + turn * reach) * track.rate_hz / track.metres_per_unit;
+    motion.speed = std::sqrt(x * x + z * z) * track.rate_hz / track.metres_per_unit;
+    motion.limb_speed = motion.speed + turn * reach * track.rate_hz / track.metres_per_unit;
     return motion;
 }
 

@@ -14,7 +14,8 @@ namespace
 
 constexpr uint32_t min_plant = 4;  // samples: shorter contacts are no steps
 constexpr uint32_t min_swing = 3;
-constexpr double leg_share = 0.97;  // of a straight leg's reach: clips to stand with move the hips
+// Of a straight leg's reach, and of how far a foot may be moved: clips to stand with move hips and feet.
+constexpr double leg_share = 0.97, shift_share = 0.8;
 
 struct Contact {
     uint32_t first, last;
@@ -226,7 +227,7 @@ void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out)
         out.plants[f].clear();
         out.plants[f].reserve(contacts.size() + 1);
         if (carried.has_before) out.plants[f].push_back(carried.before);
-        const double max_shift_m = 0.9 * double(locomotion.legs[f].max_shift) * out.scale;
+        const double max_shift_m = shift_share * double(locomotion.legs[f].max_shift) * out.scale;
         Array<Contact> held(contacts.get_allocator().resource());
         if (begun.plant) {
             if (!begun.ends) shorten(foot, path, max_shift_m, begun, contacts[0]);

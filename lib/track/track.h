@@ -116,7 +116,8 @@ struct State {
 struct Motion {
     glm::dvec3 position = glm::dvec3(0);  // world units
     double heading_rad = 0;
-    double speed = 0;  // world units a second
+    double speed = 0;       // world units a second
+    double limb_speed = 0;  // of feet and arms: they move too while a body turns that gets nowhere
     bool present = false;
 };
 
