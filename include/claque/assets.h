@@ -88,9 +88,9 @@ CLQ_API clq_status clq_asset_load_file(clq_context *context, const char *path, c
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_builtin(clq_context *context, const char *name, clq_asset **out);
 
-/* Makes one of the four people with more clips (S1 8: 150 clips): its own twenty-three, and variants of each in turn, until
- * there are clip_count. Variants differ in tempo, timing, amplitude, the leading hand and an added swaying. They are
- * named "sit_talk.03" and the like. What holds for a clip (loops, seats, common beginnings and ends) holds for its
+/* Makes one of the four people with more clips (S1 8: 150 clips): its own twenty-three, and variants of each in turn,
+ * until there are clip_count. Variants differ in tempo, timing, amplitude, the leading hand and an added swaying. They
+ * are named "sit_talk.03" and the like. What holds for a clip (loops, seats, common beginnings and ends) holds for its
  * variants. All calls give the same bytes.
  *   clip_count   [23, 2000]
  * Fails: ARGUMENT (names what there is), OUT_OF_MEMORY. Threads: any. GL: none. */

@@ -6,9 +6,9 @@
 namespace claque::lod
 {
 
-// Returns [palette of `model`] the RMS displacement, over poses of its clips but late ones, of what follows a joint from where it
-// would be if it followed the parent joint. 0 for joints without a parent or without vertices. Empty if there are no
-// clips. Deterministic.
+// Returns [palette of `model`] the RMS displacement, over poses of its clips but late ones, of what follows a joint
+// from where it would be if it followed the parent joint. 0 for joints without a parent or without vertices. Empty if
+// there are no clips. Deterministic.
 std::vector<double> joint_displacements(const model::Model &model, const std::vector<SourcePart> &parts);
 
 }  // namespace claque::lod

@@ -76,8 +76,8 @@ void hold(Array<double> &heading, const Array<uint8_t> &known)
 
 constexpr uint32_t leaving_samples = 40;  // in which a person gathers speed
 
-// The direction in which a person leaves a stand that ends at `last`. While it is slow it has no direction of motion yet:
-// it already looks where it will go.
+// The direction in which a person leaves a stand that ends at `last`. While it is slow it has no direction of motion
+// yet: it already looks where it will go.
 double leaving(FinePath &path, uint32_t last, bool along_the_way)
 {
     const uint32_t count = path.count();

@@ -45,8 +45,8 @@ struct GaitCell {
     float x[2] = {0, 0};  // the sole of each foot (pose::sole_of)
     float z[2] = {0, 0};
     float supports[2] = {0, 0};  // 1: this foot carries weight
-    // For each leg: how far its straight length reaches over the ground, where its hip is, and how far the foot's node is
-    // behind the sole.
+    // For each leg: how far its straight length reaches over the ground, where its hip is, and how far the foot's node
+    // is behind the sole.
     float reach[2] = {0, 0}, hip_x[2] = {0, 0}, hip_z[2] = {0, 0}, node_x[2] = {0, 0}, node_z[2] = {0, 0};
 };
 
@@ -90,8 +90,8 @@ double cycle_s_at(const Locomotion &locomotion, double gait) noexcept;
 // with the names of what is missing, or std::bad_alloc.
 void measure(const model::Template &tmpl, const LocomotionClips &clips, Locomotion &out);
 
-// Fills clips.torso, neck and head by the names of the template's nodes where all are none. The torso is the lowest part
-// of the spine that carries the head and no leg.
+// Fills clips.torso, neck and head by the names of the template's nodes where all are none. The torso is the lowest
+// part of the spine that carries the head and no leg.
 void find_upper(const model::Rig &rig, LocomotionClips &clips);
 
 // Fills clips.legs by the names of the template's nodes where all are none. Throws base::Error (ARGUMENT).

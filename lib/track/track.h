@@ -87,7 +87,8 @@ struct Track {
     uint32_t stand_count = 0;         // times that the person stood, with the pieces before
     Array<ShoulderTurn> shoulders;    // by at_s; they do not overlap
     Array<uint32_t> first_shoulders;  // likewise; empty if there are none
-    // Of a piece: headings behind its end, on the grid of its samples, and what the piece before showed besides, fading.
+    // Of a piece: headings behind its end, on the grid of its samples, and what the piece before showed besides,
+    // fading.
     Array<uint16_t> ahead;
     struct {
         float gaze_rad = 0, torso_rad = 0;
@@ -132,12 +133,12 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
 
 // Of a foot in the air.
 Correction correction_at(const Track &track, const State &state, int foot, double time_s) noexcept;
-// Where an actor in `state` looks, and how it holds its shoulders: the gaze goes where the heading will be half a second
-// later.
+// Where an actor in `state` looks, and how it holds its shoulders: the gaze goes where the heading will be half a
+// second later.
 pose::UpperTarget upper_at(const Track &track, const State &state, double time_s) noexcept;
 
-// Calls each(seconds since the start, foot) where a foot comes down, and each(seconds, idle clip) where a person begins to
-// stand, after from_s and up to to_s, give or take rounding. What holds at the start is not reported.
+// Calls each(seconds since the start, foot) where a foot comes down, and each(seconds, idle clip) where a person begins
+// to stand, after from_s and up to to_s, give or take rounding. What holds at the start is not reported.
 template <class Each>
 void for_steps(const Track &track, double from_s, double to_s, const Each &each)
 {

@@ -57,8 +57,8 @@ public:
     Hall(const Hall &) = delete;
     Hall &operator=(const Hall &) = delete;
 
-    // Those that have arrived are sent on, which is not timed. Returns the seconds that this thread computed: a step has
-    // one thread, and other programs do not count.
+    // Those that have arrived are sent on, which is not timed. Returns the seconds that this thread computed: a step
+    // has one thread, and other programs do not count.
     double step()
     {
         for (const clq_walker id : ids_) {

@@ -1,6 +1,7 @@
 // Each operation on a file that a subcommand of claque makes fails once: the command ends with one sentence that names
 // the file, what was there before is still there, and nothing else is left. CLAQUE_FAULTS=thorough fails every
-// operation; without it, fewer of those that are many, and for a command that takes seconds only the first of each kind.
+// operation; without it, fewer of those that are many, and for a command that takes seconds only the first of each
+// kind.
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
