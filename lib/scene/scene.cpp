@@ -12,6 +12,9 @@ using model::none;
 namespace
 {
 
+// The tree is built anew after so many steps, and more in larger crowds: the cost of each then stays the same.
+constexpr uint32_t build_from = 256;
+
 // Several bitmaps of one size.
 void grow(model::Array<base::Bitmap> &bitmaps, size_t count, uint32_t rows)
 {
@@ -43,6 +46,7 @@ Scene::Scene(std::pmr::memory_resource *memory, double spare)
       masks_(memory),
       keys_(memory),
       members_(memory),
+      leaves_(memory),
       known_(memory),
       movers_(memory),
       templates_(memory),
@@ -73,6 +77,7 @@ void Scene::reserve(const crowd::Crowd &crowd)
         if (category.count() > 0) category.reserve(rows);
     for (Shown &shown : shown_) grow(shown.items, rows, none);
     grow(members_, crowd.tables.groups.all.capacity(), none);
+    grow(leaves_, rows, none);
     grow(masks_, rows, 0u);
     grow(keys_, rows, std::nan(""));
     grow(rows_, rows, Row());
@@ -82,6 +87,8 @@ void Scene::take_over(const crowd::Crowd &crowd, double time_s) noexcept
 {
     time_s_ = time_s;
     drawn_ = false;
+    placed_before_ = placed_;
+    if (changes_.everything) tree_.dissolve();
     if (changes_.everything) renew(crowd);
     else {
         changes_.rows.for_each([&](uint32_t row) { take(crowd, row); });
@@ -93,6 +100,25 @@ void Scene::take_over(const crowd::Crowd &crowd, double time_s) noexcept
     movers_.for_each([&](uint32_t row) {
         if (!(std::fabs(time_s - rows_[row].placed_s) <= rows_[row].valid_s)) place(crowd, row);
     });
+    if (!tree_.is_loose() && placed_ - placed_when_built_ <= build_from + 2 * uint64_t(known_.count())) return;
+    if (!tree_.is_loose()) tree_.dissolve();
+    build_tree();
+}
+
+// Before a leaf is made or moved. Where many are, the tree is built anew behind them, which costs less for each.
+void Scene::count_place() noexcept
+{
+    ++placed_;
+    if (!tree_.is_loose() && placed_ - placed_before_ > build_from + known_.count() / 8) tree_.dissolve();
+}
+
+void Scene::build_tree() noexcept
+{
+    uint32_t count = 0;
+    for (const Row &row : rows_)
+        if (row.node != none) leaves_[count++] = row.node;
+    tree_.build(leaves_.data(), count);
+    placed_when_built_ = placed_;
 }
 
 // After a restore: individuals with the same id keep what the host gave them, no level has been shown.
@@ -162,8 +188,8 @@ void Scene::place(const crowd::Crowd &crowd, uint32_t row) noexcept
     }
     own.placed_s = time_s_, own.valid_s = bounds.valid_s;
     if (own.node == none) {
+        count_place();
         own.node = tree_.insert(row, bounds.leaf);
-        ++placed_;
         return;
     }
     const Tree::Node &is = tree_.node(own.node);
@@ -175,8 +201,8 @@ void Scene::place(const crowd::Crowd &crowd, uint32_t row) noexcept
             bounds.leaf.box.low[k] = -rounded_up(spare_ - double(bounds.leaf.box.low[k]));
             bounds.leaf.box.high[k] = rounded_up(spare_ + double(bounds.leaf.box.high[k]));
         }
+    count_place();
     tree_.move(own.node, bounds.leaf);
-    ++placed_;
 }
 
 void Scene::link_group(uint32_t row, uint32_t group) noexcept
@@ -205,9 +231,10 @@ void Scene::set_in(model::Array<base::Bitmap> &bitmaps, uint32_t &of, uint32_t n
 
 uint64_t Scene::bytes() const
 {
-    uint64_t sum = base::held_bytes(rows_, masks_, keys_, members_, shown_) + tree_.bytes() + changes_.bytes() +
-                   known_.bytes() + movers_.bytes() + bytes_of(templates_) + bytes_of(texture_sets_) +
-                   bytes_of(levels_) + bytes_of(categories_) + order_.size() * order_node_bytes;
+    uint64_t sum = base::held_bytes(rows_, masks_, keys_, members_, leaves_, shown_) + tree_.bytes() +
+                   changes_.bytes() + known_.bytes() + movers_.bytes() + bytes_of(templates_) +
+                   bytes_of(texture_sets_) + bytes_of(levels_) + bytes_of(categories_) +
+                   order_.size() * order_node_bytes;
     for (const Shown &shown : shown_) sum += base::held_bytes(shown.items);
     return sum;
 }

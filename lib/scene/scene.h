@@ -107,6 +107,8 @@ private:
     friend class Chosen;
 
     void renew(const crowd::Crowd &crowd) noexcept;
+    void build_tree() noexcept;
+    void count_place() noexcept;
     void take(const crowd::Crowd &crowd, uint32_t row) noexcept;
     void claim(const crowd::Crowd &crowd, uint32_t row) noexcept;
     void forget(uint32_t row) noexcept;
@@ -117,13 +119,14 @@ private:
 
     double spare_, time_s_ = 0;
     bool drawn_ = false;
-    uint64_t placed_ = 0;
+    uint64_t placed_ = 0, placed_when_built_ = 0, placed_before_ = 0;  // before this take_over
     crowd::Changes changes_;
     Tree tree_;
     model::Array<Row> rows_;
     model::Array<uint64_t> masks_;    // categories, by row
     model::Array<double> keys_;       // by row; NaN: none
     model::Array<uint32_t> members_;  // by group: its first member
+    model::Array<uint32_t> leaves_;   // scratch of build_tree
     base::Bitmap known_, movers_;     // rows in the index; of these, on tracks
     model::Array<base::Bitmap> templates_, texture_sets_, levels_, categories_;
     Order order_;

@@ -74,6 +74,7 @@ void Tree::reserve(uint32_t leaves)
 void Tree::clear() noexcept
 {
     root_ = first_free_ = none;
+    is_loose_ = false;
     for (uint32_t i = static_cast<uint32_t>(nodes_.size()); i-- > 0;) give_back(i);
 }
 
@@ -150,18 +151,22 @@ uint32_t Tree::insert(uint32_t row, const Leaf &leaf) noexcept
     const uint32_t node = take();
     static_cast<Leaf &>(nodes_[node]) = leaf;
     nodes_[node].child[1] = row;
-    link(node, root_);
+    if (!is_loose_) link(node, root_);
     return node;
 }
 
 void Tree::erase(uint32_t node) noexcept
 {
-    unlink(node);
+    if (!is_loose_) unlink(node);
     give_back(node);
 }
 
 void Tree::move(uint32_t node, const Leaf &leaf) noexcept
 {
+    if (is_loose_) {
+        static_cast<Leaf &>(nodes_[node]) = leaf;
+        return;
+    }
     const uint32_t beside = unlink(node);
     static_cast<Leaf &>(nodes_[node]) = leaf;
     uint32_t from = beside;
@@ -216,6 +221,51 @@ void Tree::refit(uint32_t node) noexcept
         if (!pull(top) && top == node) return;
         node = nodes_[top].parent;
     }
+}
+
+void Tree::dissolve() noexcept
+{
+    uint32_t waiting[max_depth];
+    uint32_t count = 0;
+    if (root_ != none) waiting[count++] = root_;
+    while (count > 0) {
+        const uint32_t at = waiting[--count];
+        if (nodes_[at].is_leaf()) continue;
+        for (const uint32_t child : nodes_[at].child) waiting[count++] = child;
+        give_back(at);
+    }
+    root_ = none;
+    is_loose_ = true;
+}
+
+void Tree::build(uint32_t *leaves, uint32_t count) noexcept
+{
+    is_loose_ = false;
+    if (count == 0) return;
+    root_ = join(leaves, count);
+    nodes_[root_].parent = none;
+}
+
+// Halves the leaves along the axis on which they are farthest apart, so that heights differ by one at most.
+uint32_t Tree::join(uint32_t *leaves, uint32_t count) noexcept
+{
+    if (count == 1) return leaves[0];
+    Box all = nodes_[leaves[0]].box;
+    for (uint32_t i = 1; i < count; ++i) all = united(all, nodes_[leaves[i]].box);
+    int axis = 0;
+    for (int k = 1; k < 3; ++k)
+        if (all.high[k] - all.low[k] > all.high[axis] - all.low[axis]) axis = k;
+    const uint32_t half = count / 2;
+    std::nth_element(leaves, leaves + half, leaves + count, [&](uint32_t a, uint32_t b) {
+        const Node &p = nodes_[a], &q = nodes_[b];
+        return p.box.low[axis] != q.box.low[axis] ? p.box.low[axis] < q.box.low[axis] : p.row() < q.row();
+    });
+    const uint32_t node = take();
+    const uint32_t low = join(leaves, half), high = join(leaves + half, count - half);
+    nodes_[node].child[0] = low, nodes_[node].child[1] = high;
+    nodes_[low].parent = nodes_[high].parent = node;
+    pull(node);
+    return node;
 }
 
 }  // namespace claque::scene

@@ -57,7 +57,13 @@ public:
     // Changes a leaf, which keeps its node. The search for a new place begins near the old one.
     void move(uint32_t node, const Leaf &leaf) noexcept;
 
+    // Between these two calls leaves are made, changed and ended without a tree above them; `leaves` are the nodes of
+    // all. A tree that is built has boxes that hardly overlap; thousands of single steps wear that off.
+    void dissolve() noexcept;
+    void build(uint32_t *leaves, uint32_t count) noexcept;
+
     bool empty() const { return root_ == model::none; }
+    bool is_loose() const { return is_loose_; }  // between dissolve and build
     uint32_t root() const { return root_; }
     const Node &node(uint32_t i) const { return nodes_[i]; }
     uint32_t height() const { return empty() ? 0 : static_cast<uint32_t>(nodes_[root_].height); }
@@ -117,9 +123,11 @@ private:
     uint32_t balance(uint32_t node) noexcept;
     bool pull(uint32_t node) noexcept;
     void refit(uint32_t node) noexcept;
+    uint32_t join(uint32_t *leaves, uint32_t count) noexcept;
 
     model::Array<Node> nodes_;
     uint32_t root_ = model::none, first_free_ = model::none;
+    bool is_loose_ = false;
 };
 static_assert(sizeof(Tree::Node) == 48, "a node fits a cache line");
 

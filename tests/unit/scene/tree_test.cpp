@@ -88,6 +88,35 @@ TEST_F(TreeTest, HoldsItsLeavesAndStaysBalancedThroughAnyHistory)
     check();
 }
 
+TEST_F(TreeTest, IsBuiltOfLooseLeavesBalancedAndWithoutOverlaps)
+{
+    for (uint32_t round = 0; round < 20 && !HasFailure(); ++round) {
+        tree_.dissolve();
+        EXPECT_TRUE(tree_.empty());
+        for (uint32_t step = 0; step < 200; ++step) {
+            const uint32_t row = random_() % count;
+            Leaf leaf = leaf_at(random_, 50);
+            leaf.box = box_round({leaf.box.low[0], 0, leaf.box.low[2]}, 0);
+            const auto known = nodes_.find(row);
+            if (known == nodes_.end()) nodes_[row] = tree_.insert(row, leaf);
+            else if (round % 5 == 4) tree_.erase(known->second), nodes_.erase(known);
+            else tree_.move(known->second, leaf);
+        }
+        std::vector<uint32_t> leaves;
+        for (const auto &[row, node] : nodes_) leaves.push_back(node);
+        tree_.build(leaves.data(), uint32_t(leaves.size()));
+        check();
+        uint32_t entered = 0;  // by a point
+        tree_.for_each(
+            [&](const Tree::Node &node) {
+                ++entered;
+                return node.box.holds(box_round({1, 0, 2}, 0));
+            },
+            [](uint32_t) {});
+        EXPECT_LE(entered, 2 * tree_.height() + 1);
+    }
+}
+
 TEST_F(TreeTest, TakesLeavesInALineWithoutGrowingTall)
 {
     Leaf leaf;
