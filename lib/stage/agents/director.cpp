@@ -101,6 +101,12 @@ bool Director::is_alive(const Task &task) const
     return task.play_serial == 0 || task.play_serial == agent.play_serial;
 }
 
+void Director::fetch(uint32_t agent) const
+{
+    const char *at = reinterpret_cast<const char *>(&agents[agent]);
+    for (size_t i = 0; i < sizeof(Agent); i += 64) __builtin_prefetch(at + i);
+}
+
 uint32_t Director::class_of(const Task &task) const
 {
     return std::min(class_count - 1, task.priority + (agents[task.agent].in_view ? 0u : 1u));

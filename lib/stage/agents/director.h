@@ -72,6 +72,7 @@ public:
 private:
     enum class Phase : uint8_t { messages, tasks, crowd, movement, moved, commands };
 
+    void fetch(uint32_t agent) const override;
     uint32_t class_of(const Task &task) const override;
     uint32_t cost_of(const Task &task) const override;
     void prepare(const Task &task) override;

@@ -46,7 +46,7 @@ void Scheduler::put(const Task &task)
         free_.pop_back();
         tasks_[slot] = task;
     }
-    heap_.push_back({task.due_s, task.order, slot});
+    heap_.push_back({task.due_s, task.order, slot, task.agent});
     std::push_heap(heap_.begin(), heap_.end(), Later());
 }
 
@@ -58,6 +58,10 @@ void Scheduler::collect(Worker &worker)
         const Task task = tasks_[key.slot];
         std::pop_heap(heap_.begin(), heap_.end(), Later());
         heap_.pop_back();
+        if (!heap_.empty()) {
+            __builtin_prefetch(&tasks_[heap_.front().slot]);
+            if (heap_.front().agent != none) worker.fetch(heap_.front().agent);
+        }
         try {
             if (is_of_stage(task.kind)) worker.prepare(task);
             else if (worker.is_alive(task)) {
@@ -71,6 +75,13 @@ void Scheduler::collect(Worker &worker)
         }
         forget(key.slot);
     }
+}
+
+// Tasks lie anywhere in memory, and so do their agents: those that come soon are asked for.
+void Scheduler::fetch(const Queue &queue, Worker &worker) const
+{
+    if (queue.first + 4 < queue.slots.size()) __builtin_prefetch(&tasks_[queue.slots[queue.first + 4]]);
+    if (queue.first + 2 < queue.slots.size()) worker.fetch(tasks_[queue.slots[queue.first + 2]].agent);
 }
 
 // False: no task of the class is left; those that have become pointless are dropped on the way.
@@ -140,6 +151,7 @@ void Scheduler::run_first(uint32_t priority, Worker &worker)
     Queue &queue = queues_[priority];
     const uint32_t slot = queue.slots[queue.first];
     const Task task = tasks_[slot];
+    fetch(queue, worker);
     const bool late = task.due_s <= begin_s_;
     const uint32_t cost = worker.cost_of(task);
     const bool measured = limits_.now_s && limits_.budget > 0;

@@ -29,6 +29,7 @@ public:
     virtual bool is_alive(const Task &task) const = 0;  // false: it is forgotten, at no cost
     virtual uint32_t class_of(const Task &task) const = 0;
     virtual uint32_t cost_of(const Task &task) const = 0;
+    virtual void fetch(uint32_t) const {}               // an agent's task comes soon: its memory may be fetched
     virtual void prepare(const Task &task) = 0;         // a task of the stage; may add tasks. If it throws, nothing is
     virtual void run(const Task &task, bool late) = 0;  // a task of an agent; likewise
 };
@@ -66,7 +67,7 @@ private:
     struct Key {
         double due_s;
         uint64_t order;
-        uint32_t slot;
+        uint32_t slot, agent;
     };
     struct Later {  // a type, so that the heap's functions contain it
         bool operator()(const Key &a, const Key &b) const
@@ -83,6 +84,7 @@ private:
     };
 
     void put(const Task &task);
+    void fetch(const Queue &queue, Worker &worker) const;
     void collect(Worker &worker);
     void forget(uint32_t slot) { free_.push_back(slot); }
     bool has_task(Queue &queue, Worker &worker);
