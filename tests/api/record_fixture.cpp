@@ -37,7 +37,8 @@ Recording run(TestWorld &world, uint32_t steps, uint64_t seed, uint64_t key_byte
         for (uint32_t k = 0; k < step % 4; ++k) world.happen(crowd, actors, seed, 4 * step + k);
         if (step == steps / 3) state = saved::save(crowd), then = actors;
         if (step == steps / 2) {
-            EXPECT_EQ(clq_crowd_restore(crowd, state.data(), state.size(), world.templates, 2), CLQ_OK);
+            EXPECT_EQ(clq_crowd_restore(crowd, state.data(), state.size(), world.templates, 2), CLQ_OK)
+                << clq_last_error();
             actors = then;
         }
         note(out.shown, crowd, view, time_of(step));
