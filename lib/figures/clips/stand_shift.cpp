@@ -18,8 +18,12 @@ Pose stand_shift_at(float phase)
     more(Bone::spine_upper, roll(-1.9f * lean) * yaw(1.5f * lean));
     more(Bone::chest, roll(-0.8f * lean));
     more(Bone::head, roll(1.2f * lean) * pitch(2.0f * lean * lean));
-    for (const Side side : {Side::left, Side::right})
+    for (const Side side : {Side::left, Side::right}) {
+        // The hip that is pushed out takes the arm along.
+        const glm::quat arm = pose.local(on(side, Bone::upper_arm)), own = side == Side::left ? arm : mirrored(arm);
+        pose.set(side, Bone::upper_arm, roll(2.5f * lean * lean) * own);
         stand_on(pose, side, {0.012f, side == Side::left ? 0.016f : -0.010f, 0, 1, 0, 5});
+    }
     drape(pose, -1.2f * wave(phase, 1) - 2.0f * lean);
     return pose;
 }

@@ -49,7 +49,7 @@ Pose turn_at(float phase)
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
         const float s = side == Side::left ? 1.0f : -1.0f;
-        hang_arm(pose, side, 2 + 1.5f * wave(phase, 2, 0.1f), 9.5f + 0.8f * s * carried, 16, 12);
+        hang_arm(pose, side, 2 + 1.5f * wave(phase, 2, 0.1f), 12.5f + 0.8f * s * carried, 16, 12);
         curl_hand(pose, side, 0.18f);
         stand_on(pose, side, turn_footing(side, own));
     }
