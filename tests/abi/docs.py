@@ -42,7 +42,7 @@ class Tree:
         self.declared = set(NAME.findall(code)) | {n + "_init" for n in re.findall(r"_INIT\((clq_[a-z0-9_]+)\)", code)}
         structs = re.findall(r"typedef (?:struct|enum) clq_[a-z0-9_]+ \{(.*?)\n?\} (clq_[a-z0-9_]+);", code, re.S)
         self.members = {name: set(re.findall(r"[A-Za-z_][A-Za-z0-9_]*", body)) for body, name in structs}
-        self.targets = set(re.search(r"^\.PHONY:(.*)$", self.text("Makefile"), re.M).group(1).split())
+        self.targets = set(re.search(r"^\.PHONY:((?:.*\\\n)*.*)$", self.text("Makefile"), re.M).group(1).split())
         self.help = {}
 
     def text(self, path):

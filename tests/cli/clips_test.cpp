@@ -145,7 +145,7 @@ TEST_F(Clips, OfAnotherCharacterAreBoundByJointName)
     const Json with = report({"citizen", "--clips", "plebeian"});
     const size_t own = report({"citizen"})["split"]["clips"].size();
     ASSERT_EQ(with["split"]["clips"].size(), 2 * own);
-    EXPECT_EQ(last_clip(with)["name"], "jog.2") << "a name that is taken gets a number";
+    EXPECT_EQ(last_clip(with)["name"], "stand_shift.2") << "a name that is taken gets a number";
     EXPECT_FALSE(with["loaded"]["warnings"].empty());
 }
 
