@@ -62,7 +62,7 @@ int main(void)
     check(clq_track_create(locomotion, &def, &track));
     clq_track_info info = clq_track_info_init();
     check(clq_track_get_info(track, &info));
-    expect(info.standing_s > 2.5 && info.standing_s < 5, "it rests for about four seconds");
+    expect(info.standing_s > 1.5 && info.standing_s < 4, "it rests, and turns before it goes on");
     expect(info.max_shift_m < 0.3, "the path shown is near that given");
 
     clq_track_state state;

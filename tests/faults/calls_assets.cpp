@@ -66,7 +66,7 @@ void add_asset_makers(std::vector<Call> &all)
                    [](W w) { return clq_asset_builtin(w.test.context, "citizen", w.out<clq_asset>()); }, 0,
                    note_asset});
     all.push_back({"clq_asset_builtin_varied",
-                   [](W w) { return clq_asset_builtin_varied(w.test.context, "citizen", 20, w.out<clq_asset>()); }, 0,
+                   [](W w) { return clq_asset_builtin_varied(w.test.context, "citizen", 24, w.out<clq_asset>()); }, 0,
                    note_asset});
     all.push_back({"clq_asset_build",
                    [](W w) { return clq_asset_build(w.test.context, w.shapes, 0, w.out<clq_template>()); }, inside,

@@ -132,6 +132,9 @@ void add_tracks(std::vector<Call> &all)
                        return clq_track_evaluate(w.test.tracks[0], 2, &state);
                    },
                    quiet});
+    all.push_back({"clq_track_hold",
+                   [](W w) { return clq_track_hold(w.test.tracks[0]), clq_track_destroy(w.test.tracks[0]), CLQ_OK; },
+                   quiet});
     all.push_back({"clq_track_destroy",
                    [](W) {
                        clq_track_destroy(nullptr);
