@@ -35,7 +35,7 @@ typedef struct clq_navigation_def {
     uint32_t vertex_count, triangle_count;
     const double *vertices;    /* [3 * vertex_count] */
     const uint32_t *triangles; /* [3 * triangle_count] counter-clockwise seen from where people could stand on them */
-    /* Where nobody walks, besides what is too steep, too low or too narrow. */
+    /* Volumes without walkable ground, besides ground that is too steep, too low or too narrow. */
     uint32_t hole_count;
     const clq_prism *holes;
     /* [0, 62] parts of the ground that open and close, at first open. They overlap with no other. */

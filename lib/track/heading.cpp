@@ -48,7 +48,7 @@ bool headings_of_motion(FinePath &path, Array<uint8_t> &known)
         if (known[i]) path.heading[i] = math::atan2(x, z), any = true;
     }
     if (any || path.count() == 0) return any;
-    // Nobody gets anywhere: the way from one end to the other, if there is any.
+    // Without any way travelled: the way from one end to the other, if there is any.
     const double x = path.x.back() - path.x.front(), z = path.z.back() - path.z.front();
     known[0] = 1;
     path.heading[0] = x != 0 || z != 0 ? math::atan2(x, z) : 0;

@@ -53,7 +53,7 @@ struct Swing {
     float until_s = 0;
 };
 
-// The torso turns while somebody passes closely: from at_s - half_s to at_s + half_s.
+// The torso turns while another person passes closely: from at_s - half_s to at_s + half_s.
 struct ShoulderTurn {
     float at_s = 0, half_s = 0;
     float turn_rad = 0;  // at at_s, positive to the left

@@ -1,4 +1,4 @@
-// Scenario files (docs/scenarios.md): who is in a scene and in which colours, where they sit or walk, how a camera
+// Scenario files (docs/scenarios.md): the people of a scene and their colours, where they sit or walk, how a camera
 // moves, the light and the ground.
 #pragma once
 
