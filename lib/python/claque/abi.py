@@ -237,7 +237,8 @@ def _folders():
 
 
 def library_paths():
-    """Paths of libclaque, libclaque-assets and libclaque-stage: in the folders of CLAQUE_LIBRARY_DIR, then by the system's search."""
+    """Paths of libclaque, libclaque-assets and libclaque-stage: in the folders of CLAQUE_LIBRARY_DIR, then by the
+    system's search."""
     found = []
     for stem in ("claque", "claque-assets", "claque-stage"):
         here = [folder / f"lib{stem}.so" for folder in _folders() if (folder / f"lib{stem}.so").exists()]

@@ -6,7 +6,8 @@ import numpy
 
 
 class Borrowed:
-    """A read-only block of the library's memory. It is the base of all arrays over the block and keeps the owner alive."""
+    """A read-only block of the library's memory. It is the base of all arrays over the block and
+    keeps the owner alive."""
 
     def __init__(self, pointer, shape, owner):
         self.owner = owner

@@ -1,4 +1,5 @@
-"""People who decide (claque/stage.h, libclaque-stage): state machines from TOML, events, and steps that give commands to a crowd."""
+"""Agents that decide (claque/stage.h, libclaque-stage): state machines from TOML, events, and steps that give commands
+to a crowd."""
 
 from ctypes import POINTER, byref, c_bool, c_double, c_size_t, c_uint32, c_void_p, cast, string_at
 

@@ -12,7 +12,8 @@ SAMPLE = numpy.dtype([("time_s", "f8"), ("x", "f8"), ("y", "f8"), ("z", "f8"), (
 
 
 class Trajectories(Owned):
-    """The people of a file. `options` are the members of clq_trajectories_def: rate_hz, metres_per_unit, columns, ..."""
+    """The people of a file. `options` are the members of clq_trajectories_def: rate_hz, metres_per_unit,
+    columns, ..."""
 
     _destroy = "clq_trajectories_destroy"
 
