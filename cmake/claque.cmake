@@ -97,9 +97,10 @@ endfunction()
 
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is
 # the build folder of the test. BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci`
-# runs it under sanitizers, too. OPTIMISED: most of its time it runs code of its own.
+# runs it under sanitizers, too. OPTIMISED: most of its time it runs code of its own. TOGETHER: its cases are one CTest
+# test, as what they share takes longer to make than they take.
 function(claque_test name)
-    cmake_parse_arguments(ARG "BYTES;OPTIMISED" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "BYTES;OPTIMISED;TOGETHER" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
@@ -123,7 +124,7 @@ function(claque_test name)
         list(APPEND properties LABELS bytes)
         add_dependencies(claque_bytes_tests ${name})
     endif()
-    if(CMAKE_CROSSCOMPILING)  # every start of an emulator counts
+    if(CMAKE_CROSSCOMPILING OR ARG_TOGETHER)  # every start of an emulator counts
         add_test(NAME ${name} COMMAND ${name})
         set_tests_properties(${name} PROPERTIES ${properties})
     else()

@@ -1,9 +1,19 @@
 #include "samples/scenes/library.h"
 
-#include <claque/prepare.h>
-
 namespace scenes
 {
+
+namespace
+{
+
+Own<clq_template> prepared(clq_context *context, const clq_prepare_def &def)
+{
+    clq_template *made = nullptr;
+    check(clq_template_prepare(context, &def, &made, nullptr), def.builtin);
+    return Own<clq_template>(made);
+}
+
+}  // namespace
 
 Library::Library(int threads) : tasks_(threads)
 {
@@ -21,33 +31,31 @@ Library::Library(int threads) : tasks_(threads)
     context_.reset(made);
 }
 
+clq_template *Library::own(const std::string &name, const std::function<Own<clq_template>()> &make)
+{
+    Own<clq_template> &found = templates_[name];
+    if (!found) found = make();
+    return found.get();
+}
+
 clq_template *Library::builtin(const std::string &name)
 {
-    Own<clq_template> &figure = figures_[name];
-    if (!figure) {
-        clq_template *made = nullptr;
-        check(clq_template_builtin(context(), name.c_str(), &made));
-        figure.reset(made);
-    }
-    return figure.get();
+    clq_prepare_def def = clq_prepare_def_init();
+    def.builtin = name.c_str();
+    return own(name, [&] { return prepared(context(), def); });
 }
 
 clq_template *Library::builtin(const std::string &name, const std::vector<uint32_t> &levels)
 {
     std::string key = name + " in levels";
     for (const uint32_t triangles : levels) key += "/" + std::to_string(triangles);
-    Own<clq_template> &figure = figures_[key];
-    if (figure) return figure.get();
     clq_levels_def chain = clq_levels_def_init();
     if (!levels.empty()) chain.targets = levels.data();
     chain.target_count = static_cast<uint32_t>(levels.size());
     clq_prepare_def def = clq_prepare_def_init();
     def.builtin = name.c_str();
     def.levels = &chain;
-    clq_template *made = nullptr;
-    check(clq_template_prepare(context(), &def, &made, nullptr), name);
-    figure.reset(made);
-    return made;
+    return own(key, [&] { return prepared(context(), def); });
 }
 
 std::vector<std::string> Library::warnings() const

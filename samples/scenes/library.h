@@ -1,6 +1,9 @@
 // One clq_context with threads, whose warnings are collected.
 #pragma once
 
+#include <claque/prepare.h>
+
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
@@ -18,12 +21,14 @@ public:
     explicit Library(int threads);
 
     clq_context *context() const { return context_.get(); }
-    // A built-in character, made at the first request; lives as long as the library. Call it from one thread at a
-    // time.
+    // A built-in character, made at the first request or read from the user's cache folder (claque/prepare.h). It lives
+    // as long as the library. Call it from one thread at a time.
     clq_template *builtin(const std::string &name);
     // The same with coarser levels of detail of about these numbers of triangles, descending; empty: claque's usual
-    // ones (claque/levels.h). Kept in the user's cache folder (claque/prepare.h).
+    // ones (claque/levels.h).
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
+    // A character of the caller's own: `make` is called at the first request of the name.
+    clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;
 
 private:
@@ -31,7 +36,7 @@ private:
     std::vector<std::string> warnings_;
     TbbTasks tasks_;
     Own<clq_context> context_;
-    std::map<std::string, Own<clq_template>> figures_;
+    std::map<std::string, Own<clq_template>> templates_;
 };
 
 }  // namespace scenes

@@ -105,9 +105,7 @@ uint32_t count_of(const Def &list)
     return static_cast<uint32_t>(list.size());
 }
 
-}  // namespace
-
-Own<clq_template> make_dragon(Library &library)
+Own<clq_template> make_dragon(clq_context *context)
 {
     const std::vector<Piece> made = pieces();
     const std::vector<clq_node_def> bones = nodes();
@@ -140,8 +138,15 @@ Own<clq_template> make_dragon(Library &library)
     def.dof_count = dof_count;
     def.dofs = freedoms.data();
     clq_template *out = nullptr;
-    check(clq_template_build(library.context(), &def, &out), "the dragon");
+    check(clq_template_build(context, &def, &out), "the dragon");
     return Own<clq_template>(out);
+}
+
+}  // namespace
+
+clq_template *dragon_of(Library &library)
+{
+    return library.own("dragon", [&] { return make_dragon(library.context()); });
 }
 
 }  // namespace scenes::hundred

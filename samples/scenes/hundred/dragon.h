@@ -8,6 +8,7 @@
 namespace scenes::hundred
 {
 
-Own<clq_template> make_dragon(Library &library);
+// Lives as long as the library.
+clq_template *dragon_of(Library &library);
 
 }  // namespace scenes::hundred

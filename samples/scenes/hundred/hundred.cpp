@@ -34,14 +34,14 @@ class Hundred final : public Scene
 public:
     Hundred(Library &library, const CrowdOptions &crowd_options)
         : scene_crowd_(library, checked(crowd_options)),
-          dragon_(hundred::make_dragon(library)),
-          spheres_(hundred::spheres_of(library.context(), dragon_.get())),
+          dragon_(hundred::dragon_of(library)),
+          spheres_(hundred::spheres_of(library.context(), dragon_)),
           spots_(hundred::find_spots(spheres_, crowd_options.seed)),
           sky_(crowd_options.seed, Sky::Land::hills)
     {
         for (uint64_t who = 0; who < spots_.size(); ++who) enter(crowd_options.seed, who);
         const hundred::DragonPaths ways(crowd());
-        const hundred::DragonMechanisms manners(crowd(), dragon_.get());
+        const hundred::DragonMechanisms manners(crowd(), dragon_);
         for (uint64_t who = 0; who < spots_.size(); ++who) {
             const clq_actor actor = scene_crowd_.actors()[who];
             ways.send(actor, spots_[who].way, crowd_options.seed * actors_of_table_2 + who);
@@ -53,7 +53,7 @@ public:
 
     clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
-    std::vector<clq_template *> templates() const override { return {dragon_.get()}; }
+    std::vector<clq_template *> templates() const override { return {dragon_}; }
 
     // overview: the camera of Table 2. close: from outside, a view of that camera's frustum and the dragons in it.
     clq_camera camera(Shot shot, double aspect, double) const override
@@ -92,11 +92,11 @@ private:
         play.speed = static_cast<float>(random_between(seed, who, Purpose::speed, 0.85, 1.15));
         play.phase_s = static_cast<float>(random_between(seed, who, Purpose::phase, 0, 60));
         const uint32_t house = static_cast<uint32_t>(random_unit(seed, who, Purpose::tone) * hundred::house_count);
-        scene_crowd_.enter({dragon_.get(), spots_[who].place, play}, who, hundred::palette_of(house));
+        scene_crowd_.enter({dragon_, spots_[who].place, play}, who, hundred::palette_of(house));
     }
 
     SceneCrowd scene_crowd_;
-    Own<clq_template> dragon_;
+    clq_template *dragon_;
     hundred::Spheres spheres_;
     std::vector<hundred::Spot> spots_;
     Sky sky_;
