@@ -36,6 +36,9 @@ struct Goal {
     float speed_m_s = 1.3f;  // wanted
     // NaN: the agent stands as it came. Otherwise it turns to this heading where it arrives.
     double heading_rad = 0;
+    // Having arrived, it moves exactly to the position and stays there beside the ground, in no other's way, until it is
+    // sent elsewhere. Wants a heading.
+    bool settles = false;
     uint64_t request = 0;  // named by the Arrival that answers
 };
 
@@ -55,6 +58,7 @@ struct Piece {
     double start_s = 0;          // the zero of the track's own clock, on the stage's clock
     clq_track *track = nullptr;  // the receiver gets the Movement's hold and ends it with clq_track_destroy.
                                  // NULL: the actor leaves its track at from_s and stands (clq_actor_leave_track)
+    bool rises = false;          // the first one of an agent that had settled
 };
 
 struct Moved {

@@ -9,6 +9,7 @@ namespace claque::stage
 namespace
 {
 
+constexpr double radians = 3.14159265358979323846 / 180;
 constexpr double eyes_m = 1.5;  // of an agent, above its place
 
 }  // namespace
@@ -193,7 +194,8 @@ void Runner::go(const Action &action, Situation &at)
     std::copy(to, to + 3, out_.goal.position);
     out_.goal.speed_m_s = static_cast<float>(amount(action.speed, at));
     out_.goal.near_m = static_cast<float>(amount(action.near_m, at));
-    out_.goal.heading_rad = NAN;
+    out_.goal.heading_rad = action.has_heading ? amount(action.heading_deg, at) * radians : NAN;
+    out_.goal.settles = action.settles;
     out_.goal.request = ++agent_.request;
     out_.goes = true, out_.stops = false;
     agent_.walking = true;

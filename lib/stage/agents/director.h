@@ -87,6 +87,7 @@ private:
     void commit(const Task &task);
     void wake_readers();
     void take_moved();
+    void play_on(const Piece &piece);
     void publish();
     double begin_s() const { return time_of(tick); }
     double end_s() const { return time_of(tick + 1); }

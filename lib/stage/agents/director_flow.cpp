@@ -9,10 +9,17 @@
 namespace claque::stage
 {
 
+namespace
+{
+
+constexpr float to_gait_s = 0.4f;
+
+}  // namespace
+
 // Pieces of tracks become commands, arrivals events. What has been taken is removed, so this can be repeated.
 void Director::take_moved()
 {
-    commands.reserve(commands.size() + moved_.pieces.size());
+    commands.reserve(commands.size() + 3 * moved_.pieces.size());
     for (const Piece &piece : moved_.pieces) {
         Command command;
         command.at_s = piece.from_s;
@@ -23,6 +30,7 @@ void Director::take_moved()
         command.start_s = piece.start_s;
         command.order = static_cast<uint32_t>(commands.size());
         commands.push_back(command);
+        if (piece.rises) play_on(piece);
     }
     moved_.pieces.clear();
     scheduler.reserve(moved_.arrivals.size());
@@ -44,6 +52,28 @@ void Director::take_moved()
         neighbours.place(i, agent.agent_class, place.position);
         std::copy(place.position, place.position + 3, agent.position);
     }
+}
+
+// An agent that had settled played a clip, which its track would cut off: it goes on and fades to the gait.
+void Director::play_on(const Piece &piece)
+{
+    Agent &agent = agents[piece.agent];
+    if (agent.clip == none) return;
+    Command command;
+    command.at_s = piece.from_s;
+    command.agent = piece.agent;
+    command.kind = CommandKind::play;
+    command.actor = agent.actor;
+    command.clip = machines[agent.machine]->casts[agent.cast].clips[agent.clip];
+    command.speed = static_cast<float>(agent.play_speed);
+    command.phase_s = static_cast<float>(agent.play_phase_s + (piece.from_s - agent.play_start_s) * agent.play_speed);
+    command.order = static_cast<uint32_t>(commands.size());
+    commands.push_back(command);
+    command.kind = CommandKind::walk_on;
+    command.fade_s = to_gait_s;
+    command.order = static_cast<uint32_t>(commands.size());
+    commands.push_back(command);
+    agent.clip = none, ++agent.play_serial;
 }
 
 // Orders the tick's commands by time. Keys are sorted and not commands, which are large.

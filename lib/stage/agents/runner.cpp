@@ -22,12 +22,7 @@ void Runner::run(const Task &task, double now_s)
             begin();
             break;
         case TaskKind::event:
-            agent_.value = task.value;
-            agent_.sender = task.sender;
-            agent_.has_origin = task.has_place;
-            std::copy(task.place, task.place + 3, agent_.origin);
-            if (task.index == event_arrived || task.index == event_blocked) agent_.walking = false;
-            take_first(Trigger::event, task.index);
+            get(task);
             break;
         case TaskKind::after:
             if (holds(machine_.transitions[task.index], task.level)) take(machine_.transitions[task.index], task.level);
@@ -46,6 +41,22 @@ void Runner::run(const Task &task, double now_s)
     }
     settle();
     arm_clips();
+}
+
+// An event that no transition takes is forgotten, with its value and origin.
+void Runner::get(const Task &event)
+{
+    const double value = agent_.value, origin[3] = {agent_.origin[0], agent_.origin[1], agent_.origin[2]};
+    const uint32_t sender = agent_.sender;
+    const bool has_origin = agent_.has_origin;
+    agent_.value = event.value;
+    agent_.sender = event.sender;
+    agent_.has_origin = event.has_place;
+    std::copy(event.place, event.place + 3, agent_.origin);
+    if (event.index == event_arrived || event.index == event_blocked) agent_.walking = false;
+    if (take_first(Trigger::event, event.index)) return;
+    agent_.value = value, agent_.sender = sender, agent_.has_origin = has_origin;
+    std::copy(origin, origin + 3, agent_.origin);
 }
 
 void Runner::begin()

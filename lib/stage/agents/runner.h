@@ -52,6 +52,7 @@ public:
 private:
     // runner.cpp
     void begin();
+    void get(const Task &event);
     bool take_first(Trigger trigger, uint32_t event);
     bool holds(const Transition &transition, uint32_t level);
     void settle();

@@ -49,7 +49,9 @@ struct Action {
     Quantity radius, delay, value, per_m;
     Aim aim = Aim::point;  // look, go
     double point[3] = {};
-    Quantity near_m;
+    Quantity near_m;  // go
+    bool has_heading = false, settles = false;
+    Quantity heading_deg;
 };
 
 enum class Trigger : uint8_t { instant, event, after, clip_end, marker };

@@ -179,10 +179,16 @@ void MachineReader::read_look(const toml::table &from, Action &made)
 
 void MachineReader::read_go(const toml::table &from, Action &made)
 {
-    doc_.known(from, {"go", "speed", "near", "if"});
+    doc_.known(from, {"go", "speed", "near", "heading", "settle", "if"});
     const toml::node &node = *from.get("go");
     made.speed = quantity(from, "speed", 1.3, 0.1, 12);
     made.near_m = quantity(from, "near", 0.3, 0.01, 1000);
+    made.has_heading = from.get("heading") != nullptr;
+    if (made.has_heading) made.heading_deg = quantity(from, "heading", 0, -1e6, 1e6);
+    if (const toml::node *settle = from.get("settle")) {
+        made.settles = doc_.truth(*settle, "settle");
+        if (made.settles && !made.has_heading) doc_.refuse(*settle, "'settle' needs 'heading'");
+    }
     out_.goes = true;
     if (node.is_array()) return doc_.point(node, "go", made.point);
     const std::string word = doc_.string(node, "go");

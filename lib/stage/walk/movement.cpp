@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace claque::walk
 {
@@ -12,6 +13,7 @@ namespace
 constexpr double kept_pieces_s =
     1.2;  // of pieces behind the time decided: places are asked for up to a second before it
 constexpr double moment_s = 1e-9;
+constexpr double still_s = 0.6;  // of an agent that has settled, before its actor leaves its track
 
 }  // namespace
 
@@ -56,6 +58,17 @@ void Walking::add(stage::AgentIndex agent, const stage::Walker &walker, double a
     }
 }
 
+// An agent that goes on from where it has settled: it is led from there to the ground.
+void Walking::unsettle(stage::AgentIndex agent, double at_s)
+{
+    Person &one = people_[agent];
+    one.at_s = std::isfinite(one.leaves_s) ? one.leaves_s : at_s;
+    one.settled_s = INFINITY;
+    one.is = Person::Is::coming;
+    one.rises = true;
+    if (one.at_s <= walkers_->time_s() + moment_s) let_in(agent);
+}
+
 void Walking::let_in(stage::AgentIndex agent)
 {
     Person &one = people_[agent];
@@ -69,6 +82,7 @@ void Walking::let_in(stage::AgentIndex agent)
     one.is = Person::Is::here;
     agent_of_[one.id.index1 - 1] = agent;
     try {
+        if (one.rises) walkers_->rise_from(one.id, one.walker.position);
         walkers_->stand_since(one.id, one.at_s);
         take_pieces();
     } catch (...) {
@@ -86,13 +100,15 @@ void Walking::remove(stage::AgentIndex agent, double)
     one = Person();
 }
 
-void Walking::go(stage::AgentIndex agent, const stage::Goal &goal, double)
+void Walking::go(stage::AgentIndex agent, const stage::Goal &goal, double at_s)
 {
     Person &one = person(agent);
     arrivals_.reserve(arrivals_.size() + 1);
     forget_answer(agent);
     one.goal = goal, one.goes = true;
+    one.settled_s = INFINITY;
     if (one.is == Person::Is::here) send(agent);
+    if (one.is == Person::Is::settled) unsettle(agent, at_s);
 }
 
 void Walking::send(stage::AgentIndex agent)
@@ -113,6 +129,7 @@ void Walking::stop(stage::AgentIndex agent, double)
     Person &one = person(agent);
     forget_answer(agent);
     one.goes = false;
+    one.settled_s = INFINITY;
     if (one.is == Person::Is::here) walkers_->stop(one.id);
 }
 
@@ -120,6 +137,21 @@ void Walking::answer(stage::AgentIndex agent, bool reached)
 {
     arrivals_.push_back({agent, people_[agent].goal.request, walkers_->time_s(), reached});
     people_[agent].goes = false;
+    if (reached && people_[agent].goal.settles) people_[agent].settled_s = walkers_->time_s();
+}
+
+// An agent that has been still for a while leaves the walkers where a piece ends; its actor then leaves its track.
+void Walking::settle(stage::AgentIndex agent)
+{
+    Person &one = people_[agent];
+    const double now_s = walkers_->time_s();
+    const bool published = !one.pieces.empty() && one.pieces.back().end_s > now_s - moment_s;
+    if (!published || now_s < one.settled_s + still_s) return;
+    walkers_->remove(one.id);
+    std::copy(one.goal.position, one.goal.position + 3, one.walker.position);
+    one.walker.heading_rad = one.goal.heading_rad;
+    one.is = Person::Is::settled;
+    one.leaves_s = now_s;
 }
 
 void Walking::forget_answer(stage::AgentIndex agent)
@@ -131,12 +163,15 @@ void Walking::forget_answer(stage::AgentIndex agent)
 void Walking::take_pieces()
 {
     for (const clq_walker_piece &piece : walkers_->pieces()) {
-        std::vector<Shown> &pieces = people_[agent_of_[piece.walker.index1 - 1]].pieces;
+        Person &one = people_[agent_of_[piece.walker.index1 - 1]];
+        if (one.id.generation != piece.walker.generation) continue;  // of one that left in this tick
+        std::vector<Shown> &pieces = one.pieces;
         if (!pieces.empty() && pieces.back().end_s >= piece.end_s) continue;  // it was taken before
         pieces.emplace_back();
         clq_track_hold(piece.track);
         pieces.back().track.reset(piece.track);
         pieces.back().begin_s = piece.begin_s, pieces.back().end_s = piece.end_s;
+        pieces.back().rises = std::exchange(one.rises, false);
     }
 }
 
@@ -144,10 +179,13 @@ void Walking::look_for_answers()
 {
     for (stage::AgentIndex i = 0; i < people_.size(); ++i) {
         Person &one = people_[i];
+        if (one.is == Person::Is::here && std::isfinite(one.settled_s)) settle(i);
         if (one.is != Person::Is::here || !one.goes) continue;
         clq_walker_info info = clq_walker_info_init();
         walkers_->get(one.id, info);
-        if (info.state == CLQ_WALKER_ARRIVED) answer(i, true);
+        if (info.state == CLQ_WALKER_ARRIVED && one.goal.settles && !walkers_->has_settled(one.id))
+            walkers_->settle(one.id, one.goal.position);
+        else if (info.state == CLQ_WALKER_ARRIVED) answer(i, true);
         if (info.state == CLQ_WALKER_BLOCKED) walkers_->stop(one.id), answer(i, false);
     }
 }
@@ -171,17 +209,22 @@ void Walking::advance(double until_s, stage::Moved &out)
         walkers_->step();
     }
     size_t pieces = 0;
-    for (const Person &one : people_) pieces += one.pieces.size();
+    for (const Person &one : people_) pieces += one.pieces.size() + 1;
     out.pieces.reserve(out.pieces.size() + pieces);
     out.arrivals.reserve(out.arrivals.size() + arrivals_.size());
     // Nothing below throws.
-    for (stage::AgentIndex i = 0; i < people_.size(); ++i)
-        for (Shown &piece : people_[i].pieces) {
+    for (stage::AgentIndex i = 0; i < people_.size(); ++i) {
+        Person &one = people_[i];
+        // Its last piece was given before, since it begins earlier.
+        const bool leaves = one.leaves_s <= until_s + moment_s;
+        if (leaves) out.pieces.push_back({i, std::exchange(one.leaves_s, INFINITY), 0, nullptr, false});
+        for (Shown &piece : one.pieces) {
             if (piece.given || piece.begin_s > until_s + moment_s) continue;
             clq_track_hold(piece.track.get());
-            out.pieces.push_back({i, piece.begin_s, 0, piece.track.get()});
+            out.pieces.push_back({i, piece.begin_s, 0, piece.track.get(), piece.rises});
             piece.given = true;
         }
+    }
     const auto later = [&](const stage::Arrival &arrival) { return arrival.time_s > until_s + moment_s; };
     const auto due = std::stable_partition(arrivals_.begin(), arrivals_.end(), later);
     out.arrivals.insert(out.arrivals.end(), due, arrivals_.end());

@@ -31,17 +31,21 @@ private:
     struct Shown {
         HeldTrack track;
         double begin_s = 0, end_s = 0;
-        bool given = false;
+        bool given = false, rises = false;
     };
     // An agent of the stage. It comes when the walkers' time reaches its own.
     struct Person {
-        enum class Is : uint8_t { away, coming, here };
+        enum class Is : uint8_t { away, coming, here, settled };
         Is is = Is::away;
         stage::Walker walker;
         double at_s = 0;  // when it comes
         clq_walker id = {0, 0};
         bool goes = false;  // to `goal`, of which no answer is known yet
         stage::Goal goal;
+        // It is where its goal is, beside the ground, since then; infinite: it is not.
+        double settled_s = INFINITY;
+        double leaves_s = INFINITY;  // when its actor leaves its track
+        bool rises = false;          // it had settled; its next piece is the first one
         std::vector<Shown> pieces;
     };
     using Locomotions = std::vector<const clq_locomotion *>;
@@ -53,6 +57,8 @@ private:
     void forget_answer(stage::AgentIndex agent);
     void take_pieces();
     void look_for_answers();
+    void settle(stage::AgentIndex agent);
+    void unsettle(stage::AgentIndex agent, double at_s);
     void prune(double until_s);
     template <class Archive>
     static void walk_person(Archive &archive, Person &person, const Locomotions &locomotions);

@@ -12,9 +12,9 @@ using stage::numbers;
 
 void Walking::walk_pieces(stage::SaveWriter &out, Person &person)
 {
-    out.count(person.pieces.size(), 18);
+    out.count(person.pieces.size(), 19);
     for (Shown &piece : person.pieces) {
-        numbers(out, piece.begin_s, piece.end_s, piece.given);
+        numbers(out, piece.begin_s, piece.end_s, piece.given, piece.rises);
         std::vector<uint8_t> bytes = bytes_of(piece.track.get());
         out.count(bytes.size(), 1);
         out.raw(bytes);
@@ -23,10 +23,10 @@ void Walking::walk_pieces(stage::SaveWriter &out, Person &person)
 
 void Walking::walk_pieces(stage::SaveReader &in, Person &person)
 {
-    const size_t count = in.count(0, 18);
+    const size_t count = in.count(0, 19);
     for (size_t k = 0; k < count; ++k) {
         Shown piece;
-        numbers(in, piece.begin_s, piece.end_s, piece.given);
+        numbers(in, piece.begin_s, piece.end_s, piece.given, piece.rises);
         std::vector<uint8_t> bytes(in.count(0, 1));
         in.raw(bytes);
         if (!person.walker.locomotion) bad_save("an agent without a gait has a track");
@@ -40,7 +40,7 @@ void Walking::walk_pieces(stage::SaveReader &in, Person &person)
 template <class Archive>
 void Walking::walk_person(Archive &archive, Person &one, const Locomotions &locomotions)
 {
-    stage::number_of_enum(archive, one.is, Person::Is::here);
+    stage::number_of_enum(archive, one.is, Person::Is::settled);
     if (one.is == Person::Is::away) return;
     auto number = static_cast<uint32_t>(std::find(locomotions.begin(), locomotions.end(), one.walker.locomotion) -
                                         locomotions.begin());
@@ -51,8 +51,10 @@ void Walking::walk_person(Archive &archive, Person &one, const Locomotions &loco
             one.walker.heading_rad, one.walker.scale, one.walker.radius_m, one.at_s, one.id.index1, one.id.generation,
             one.goes);
     numbers(archive, one.goal.position[0], one.goal.position[1], one.goal.position[2], one.goal.near_m,
-            one.goal.speed_m_s, one.goal.heading_rad, one.goal.request);
-    bool good = one.walker.scale > 0 && one.goal.near_m > 0 && std::isfinite(one.at_s);
+            one.goal.speed_m_s, one.goal.heading_rad, one.goal.request, one.goal.settles);
+    numbers(archive, one.settled_s, one.leaves_s, one.rises);
+    bool good = std::isfinite(one.walker.heading_rad) && (!one.goal.settles || std::isfinite(one.goal.heading_rad)) &&
+                one.walker.scale > 0 && one.goal.near_m > 0 && std::isfinite(one.at_s);
     for (int k = 0; k < 3; ++k)
         good = good && std::isfinite(one.walker.position[k]) && std::isfinite(one.goal.position[k]);
     if (!good) bad_save("an agent that walks has a number that none has");

@@ -82,7 +82,7 @@ void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
         }
         clq_track_point point{};
         point.time_s = time_s() + t;
-        mesh_.world(at.data(), point.position);
+        show(i, at.data(), point.time_s, point.position);
         point.heading_rad = points.back().heading_rad;
         points.push_back(point);
     }

@@ -103,6 +103,8 @@ void Walkers::walk_body(Archive &archive, uint32_t i, const std::vector<const cl
     floats(archive, body.goal.data(), 3), floats(archive, body.end.data(), 3);
     numbers(archive, body.goal_ref, body.near_m, body.own_speed, body.speed, body.complete, body.cut, body.heading_rad,
             body.scale, body.seed, body.piece_end_s, body.border);
+    number_of_enum(archive, body.pull, Body::Pull::from);
+    numbers(archive, body.beside[0], body.beside[1], body.beside[2], body.pull_s);
     auto number =
         static_cast<uint32_t>(std::find(locomotions.begin(), locomotions.end(), body.locomotion) - locomotions.begin());
     archive.number(number);
@@ -148,7 +150,8 @@ void Walkers::check_saved(uint32_t i) const
     for (int k = 0; k < a.nneis; ++k)
         good = good && a.neis[k].idx >= 0 && static_cast<size_t>(a.neis[k].idx) < bodies_.size();
     good = good && a.params.maxSpeed > 0 && a.params.maxSpeed <= 8;
-    good = good && body.border < def_.piece_ticks;
+    good = good && body.border < def_.piece_ticks && std::fabs(body.pull_s) < max_clock_s;
+    for (const double x : body.beside) good = good && std::fabs(x) < 1e12;
     good = good && (body.goal_ref == 0 || mesh_.nav->isValidPolyRef(body.goal_ref));
     for (const float *vector :
          {a.npos, a.vel, a.nvel, a.dvel, a.targetPos, body.goal.data(), body.end.data(), a.corridor.getTarget()})

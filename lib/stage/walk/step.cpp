@@ -90,7 +90,7 @@ void Walkers::record(uint32_t i)
     if (!body.locomotion) return;
     clq_track_point point{};
     point.time_s = time_s();
-    mesh_.world(agent(i).npos, point.position);
+    show(i, agent(i).npos, time_s(), point.position);
     point.heading_rad = rests(body) ? body.heading_rad : NAN;
     body.points.push_back(point);
 }

@@ -159,6 +159,7 @@ void Walkers::go(clq_walker id, const double goal[3], float near_m, float speed_
     body.goal = place, body.goal_ref = ref, body.near_m = near_m;
     body.state = CLQ_WALKER_WAITS;
     body.heading_rad = NAN;
+    return_to_ground(body);
     body.speed = speed_m_s > 0 ? speed_m_s : body.own_speed;
 }
 
@@ -166,6 +167,7 @@ void Walkers::stop(clq_walker id)
 {
     const uint32_t i = index_of(id);
     bodies_[i].state = CLQ_WALKER_STANDS;
+    return_to_ground(bodies_[i]);
     bodies_[i].heading_rad = NAN;
     crowd_->resetMoveTarget(static_cast<int>(i));
 }

@@ -40,7 +40,10 @@ struct Body {
     std::vector<clq_track_point> points;  // from a little before the next piece on
     HeldTrack piece;
     double piece_end_s = 0;
-    uint32_t border = 0;  // its pieces end at the ticks that leave this remainder
+    // It is shown beside the ground: on its way to `beside`, or from there.
+    enum class Pull : uint8_t { none, to, from } pull = Pull::none;
+    double beside[3] = {}, pull_s = 0;  // since when
+    uint32_t border = 0;                // its pieces end at the ticks that leave this remainder
 
     bool used() const { return generation & 1; }
 };
@@ -72,6 +75,11 @@ public:
 
     uint32_t index_of(clq_walker id) const;
     void rest_at(clq_walker id, float heading_rad);  // of a walker that arrives
+    // Moves a walker that has arrived to a place within half a metre that need not be on the ground.
+    void settle(clq_walker id, const double place[3]);
+    bool has_settled(clq_walker id) const;
+    // A walker that was added now, from such a place.
+    void rise_from(clq_walker id, const double place[3]);
     // A walker that was added now and stood since an earlier time: its first piece, up to now.
     void stand_since(clq_walker id, double time_s);
     double time_s() const { return def_.start_s + double(ticks_) * def_.tick_s; }
@@ -92,6 +100,8 @@ private:
     // After it.
     void look_round(uint32_t i);
     void record(uint32_t i);
+    void return_to_ground(Body &body) const;
+    void show(uint32_t i, const float *place, double time_s, double out[3]) const;
     void publish();
     void publish(uint32_t i);
     uint32_t first_border(uint32_t i) const;

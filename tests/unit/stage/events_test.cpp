@@ -171,4 +171,35 @@ TEST(Timetable, SendsItsEventsAgainAndAgain)
     EXPECT_EQ(add("[[event]]\nat = 1\nsend = \"call\"\ntimes = 2\n"), CLQ_FORMAT);
 }
 
+// A walker that is on its way to the sender of one event hears others.
+TEST(Events, ThatNoTransitionTakesAreForgottenWithTheirValueAndOrigin)
+{
+    StageWorld world;
+    const clq_agent agent = world.agent(world.machine(R"toml(
+machine = "m"
+[variables]
+heard = -1.0
+far = -1.0
+[events]
+call = 1
+noise = 1
+tell = 1
+[states.a]
+transitions = [
+    { on = "call", if = "value < 10", do = [ { set = "heard", to = "value" } ] },
+    { if = "clock > 2 and far < 0", do = [ { set = "heard", to = "value" }, { set = "far", to = "distance" } ] },
+]
+)toml"));
+    clq_stage_event event = clq_stage_event_init();
+    event.name = "call", event.value = 3, event.at_s = 0.5, event.position[0] = 4;
+    ASSERT_EQ(clq_stage_send(world.stage, &event), CLQ_OK);
+    event.value = 12, event.at_s = 1, event.position[0] = 30;
+    ASSERT_EQ(clq_stage_send(world.stage, &event), CLQ_OK);
+    event.name = "noise", event.at_s = 1.5;
+    ASSERT_EQ(clq_stage_send(world.stage, &event), CLQ_OK);
+    world.step(4);
+    EXPECT_EQ(world.variable(agent, "heard"), 3);
+    EXPECT_EQ(world.variable(agent, "far"), 4);
+}
+
 }  // namespace

@@ -104,6 +104,7 @@ TEST(MachineFile, WithActionsThatCannotBeIsRefused)
         {a + "{ gesture = \"wave\", mask = \"arms\" } ]\n", "line 9, column 28", "there is no mask 'arms'"},
         {a + "{ go = \"home\" } ]\n", "line 9, column 8", "there is no place 'home'"},
         {a + "{ go = [1, 2] } ]\n", "line 9, column 8", "'go' has 2 numbers"},
+        {a + "{ go = [1, 2, 3], settle = true } ]\n", "line 9, column 28", "'settle' needs 'heading'"},
         {a + "{ play = \"slow\", set = \"n\" } ]\n", "line 9, column 24", "does one thing"},
         {a + "{ fade = 1 } ]\n", "line 9, column 1", "one of play, gesture"},
         {a + "{ play = \"slow\", speed = 0 } ]\n", "line 9, column 26", "'speed' is 0: 0.01 to 100 is wanted"},
