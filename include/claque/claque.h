@@ -24,6 +24,7 @@
 #include <claque/scene.h>
 #include <claque/shadow.h>
 #include <claque/simd.h>
+#include <claque/speed.h>
 #include <claque/template.h>
 #include <claque/template_info.h>
 #include <claque/track.h>

@@ -6,8 +6,8 @@
 #include "lib/api/boundary.h"
 #include "lib/api/crowd_handle.h"
 #include "lib/api/key_poses.h"
-#include "lib/api/scene_handle.h"
 #include "lib/api/recorder.h"
+#include "lib/api/scene_handle.h"
 #include "lib/api/track_handle.h"
 
 using namespace claque;

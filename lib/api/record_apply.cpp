@@ -144,6 +144,7 @@ public:
         crowd::set_group_transform(to_, id_of(c.group), transform_of(c.transform));
     }
     void on(const record::GroupSetEnabled &c) { crowd::enable_group(to_, id_of(c.group), c.enabled); }
+    void on(const record::GroupSetSpeed &c) { crowd::set_group_speed(to_, id_of(c.group), c.speed); }
 
     // Of many actors, and descriptions.
     void other(Kind kind, crowd::Reader &in)
@@ -152,6 +153,8 @@ public:
         switch (kind) {
             case Kind::crowd_set_transforms:
                 return transforms(in);
+            case Kind::crowd_set_speeds:
+                return speeds(in);
             case Kind::actor_colours:
                 return colours(in);
             case Kind::crowd_add_mechanism:
@@ -179,6 +182,17 @@ private:
             ids.push_back(id_of(actor)), handle_->placed.push_back(transform_of(place));
         }
         crowd::set_transforms(to_, ids.data(), handle_->placed.data(), count);
+    }
+
+    void speeds(crowd::Reader &in)
+    {
+        clq_actor actor;
+        float speed = 0;
+        while (in.left() > 0) {
+            record::walk_id(in, actor), in.value(speed);
+            const crowd::Id id = id_of(actor);
+            crowd::set_speeds(to_, &id, &speed, 1);
+        }
     }
 
     void colours(crowd::Reader &in)

@@ -146,6 +146,14 @@ void Recorder::transforms(const clq_actor *actors, const clq_transform *places, 
     ++info_.calls;
 }
 
+void Recorder::speeds(const clq_actor *actors, const float *speeds, uint32_t count)
+{
+    blocks_.entry(Kind::crowd_set_speeds, [&](crowd::Writer &out) {
+        for (uint32_t i = 0; i < count; ++i) record::walk_id(out, actors[i]), out.value(speeds[i]);
+    });
+    ++info_.calls;
+}
+
 void Recorder::colours(const clq_actor *actors, uint32_t count)
 {
     for (uint32_t i = 0; i < count; ++i) {

@@ -50,6 +50,7 @@ public:
     void create(const clq_actor_def &def, clq_actor made);
     void follow(clq_actor actor, const clq_track &track, double start_s);
     void transforms(const clq_actor *actors, const clq_transform *places, uint32_t count);
+    void speeds(const clq_actor *actors, const float *speeds, uint32_t count);
     void colours(const clq_actor *actors, uint32_t count);
     void restored() { state(record::Kind::state), ++info_.calls; }
 

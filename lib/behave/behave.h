@@ -65,6 +65,13 @@ crowd::Transform root_transform_at(const crowd::Crowd &crowd, uint32_t row, doub
 
 // The transform on a path alone. `round_s` in [0, duration_s).
 crowd::Transform transform_on(const crowd::RootPath &path, double round_s) noexcept;
+
+// How fast its root path moves and turns its Skeleton Root, in the Reference Point's space. A flight turns about its
+// upward axis; its pitch and bank are left out.
+struct RootSpeed {
+    double speed = 0, turn_rad_s = 0;
+};
+RootSpeed root_speed_at(const crowd::Crowd &crowd, uint32_t row, double time_s) noexcept;
 // A tight upper bound of the distance of the path's points from the origin.
 float reach_of(const crowd::RootPath &path);
 

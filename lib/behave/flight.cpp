@@ -138,6 +138,15 @@ crowd::Transform flight_transform(const crowd::RootPath &path, double round_s) n
     return transform;
 }
 
+RootSpeed flight_speed(const crowd::RootPath &path, double round_s) noexcept
+{
+    const uint32_t count = static_cast<uint32_t>(path.positions.size());
+    const double each_s = static_cast<double>(path.duration_s) / count, at = round_s / each_s;
+    const double turn = turned(velocity_at(path, at - 0.5), velocity_at(path, at + 0.5));
+    // Bezier's velocity lacks the factor 3 of a cubic curve.
+    return {3 * length_of(velocity_at(path, at)) / each_s, std::fabs(turn) / each_s};
+}
+
 double flight_reach(const crowd::RootPath &path)
 {
     double reach = 0;

@@ -105,6 +105,7 @@ Id clone(Crowd &crowd, Id id, const Transform *transform, uint64_t seed)
     copy_extra(tables.extras, from, row);
     copy_looks(tables, from, row);
     tables.actors.extents[row].priority = tables.actors.extents[from].priority;
+    tables.actors.extents[row].speed = tables.actors.extents[from].speed;
     if (crowd.group_of(from) != none) enter_group(crowd, row, crowd.group_of(from));
     measure(crowd, row);
     return made;
@@ -139,6 +140,19 @@ void set_priority(Crowd &crowd, Id id, float priority)
     if (!(priority >= 0 && priority <= 1))
         fail(CLQ_ARGUMENT, "a priority of %g: 0 to 1 is wanted", static_cast<double>(priority));
     crowd.tables.actors.extents[row].priority = priority;
+}
+
+float checked_speed(float speed)
+{
+    if (!(speed >= 0 && speed <= 1e9f))
+        fail(CLQ_ARGUMENT, "a speed of %g: 0 to 1e9 world units a second are wanted", static_cast<double>(speed));
+    return speed;
+}
+
+void set_speeds(Crowd &crowd, const Id *ids, const float *speeds, uint32_t count)
+{
+    for (uint32_t i = 0; i < count; ++i) crowd.row_of(ids[i]), checked_speed(speeds[i]);
+    for (uint32_t i = 0; i < count; ++i) crowd.tables.actors.extents[ids[i].index1 - 1].speed = speeds[i];
 }
 
 }  // namespace claque::crowd

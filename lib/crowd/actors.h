@@ -26,6 +26,7 @@ struct Extent {
     float sklsroot = 0;  // round the template's Sklsroot centre
     float slack = 0;     // world units: how far the ground may move it
     float priority = 0;  // [0, 1] S0 5
+    float speed = 0;     // world units a second: how fast the host moves it
 };
 
 struct Actors {

@@ -16,6 +16,9 @@ void destroy(Crowd &crowd, Id id);
 Id clone(Crowd &crowd, Id id, const Transform *transform, uint64_t seed);
 void set_transforms(Crowd &crowd, const Id *ids, const Transform *transforms, uint32_t count);  // all or none
 void set_priority(Crowd &crowd, Id id, float priority);                                         // [0, 1]
+// How fast the host moves them, world units a second; all or none.
+void set_speeds(Crowd &crowd, const Id *ids, const float *speeds, uint32_t count);
+float checked_speed(float speed);  // throws base::Error (CLQ_ARGUMENT)
 
 // Appearance (S2 5). Colours are sampled by (crowd seed, actor seed, zone), so they are repeatable.
 void set_colours(Crowd &crowd, Id id, const float *rgb, uint32_t zone_count);  // [3 * zone_count], each [0, 1]
@@ -30,6 +33,7 @@ void set_texture_set(Crowd &crowd, Id id, uint32_t set);  // random_texture_set:
 Id create_group(Crowd &crowd, const Transform &transform);
 void destroy_group(Crowd &crowd, Id id);
 void set_group_transform(Crowd &crowd, Id id, const Transform &transform);
+void set_group_speed(Crowd &crowd, Id id, float speed);
 void enable_group(Crowd &crowd, Id id, bool enabled);
 // Transform: in the group's space, or null: the actor stays where it is in the world. Group none: it leaves its group.
 void join(Crowd &crowd, Id id, Id group, const Transform *transform);

@@ -64,7 +64,7 @@ Id create_group(Crowd &crowd, const Transform &transform)
     groups.reserve();
     for (Changes *reader : crowd.readers) reader->groups.reserve(groups.capacity());
     const uint32_t row = groups.take();
-    groups[row] = GroupRow{placed, 0, true, crowd.next_version++};
+    groups[row] = GroupRow{placed, 0, true, crowd.next_version++, 0};
     ++crowd.structure;
     return groups.id_of(row);
 }
@@ -88,6 +88,11 @@ void set_group_transform(Crowd &crowd, Id id, const Transform &transform)
     const uint32_t row = crowd.group_row_of(id);
     crowd.tables.groups.all[row].transform = placed;
     note_group(crowd, row);
+}
+
+void set_group_speed(Crowd &crowd, Id id, float speed)
+{
+    crowd.tables.groups.all[crowd.group_row_of(id)].speed = checked_speed(speed);
 }
 
 void enable_group(Crowd &crowd, Id id, bool enabled)

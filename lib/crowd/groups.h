@@ -14,6 +14,7 @@ struct GroupRow {
     uint32_t members = 0;
     bool enabled = true;   // the members of a disabled group are neither updated nor drawn
     uint64_t version = 0;  // changes whenever the group's sphere may have changed
+    float speed = 0;       // world units a second: how fast the host moves it
 };
 
 using Group = base::Slot<GroupRow>;  // with the generation of its id

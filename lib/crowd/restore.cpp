@@ -35,7 +35,8 @@ void read_groups(Reader &in, base::SlotMap<GroupRow> &out)
     read_rows(in, "group", out, append, [&](uint32_t row) {
         walk_transform(in, out[row].transform);
         checked(out[row].transform);
-        in.flag(out[row].enabled);
+        in.flag(out[row].enabled), in.value(out[row].speed);
+        checked_speed(out[row].speed);
     });
 }
 

@@ -28,12 +28,13 @@ void read_columns(Reader &in, Crowd &out, Id id)
 {
     Transform transform;
     Play playing;
-    float priority = 0, up = 0, down = 0;
+    float priority = 0, speed = 0, up = 0, down = 0;
     walk_transform(in, transform), walk_play(in, playing);
-    in.value(priority), in.value(up), in.value(down);
+    in.value(priority), in.value(speed), in.value(up), in.value(down);
     set_transforms(out, &id, &transform, 1);
     play(out, id, playing);
     set_priority(out, id, priority);
+    set_speeds(out, &id, &speed, 1);
     if (up != 0 || down != 0) follow_ground(out, id, up, down);
 }
 

@@ -77,7 +77,7 @@ void save_contents(const Crowd &crowd, base::Sink &sink)
     write_layers(out, tables);
     write_rows(out, tables.groups.all, [&](uint32_t row) {
         walk_transform(out, tables.groups.all[row].transform);
-        out.flag(tables.groups.all[row].enabled);
+        out.flag(tables.groups.all[row].enabled), out.value(tables.groups.all[row].speed);
     });
     write_rows(out, tables.actors.all, [&](uint32_t row) { write_actor(out, crowd, row); });
     write_rows(out, tables.extras.attached, [&](uint32_t row) { walk_attached(out, tables.extras.attached[row]); });

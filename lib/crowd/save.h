@@ -13,7 +13,7 @@
 namespace claque::crowd
 {
 
-constexpr base::FileForm save_form = {{'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a}, 5, "a saved crowd"};
+constexpr base::FileForm save_form = {{'c', 'l', 'a', 'q', 'u', 'e', 'C', 0x1a}, 6, "a saved crowd"};
 
 using Writer = base::ArchiveWriter<>;
 using Reader = base::ArchiveReader<>;

@@ -54,7 +54,7 @@ void write_actor(Writer &out, const Crowd &crowd, uint32_t row)
     out.value(crowd.group_of(row));
     walk_transform(out, crowd.transform_of(row));
     walk_play(out, crowd.play_of(row));
-    out.value(crowd.extent_of(row).priority);
+    out.value(crowd.extent_of(row).priority), out.value(crowd.extent_of(row).speed);
     const Extra *extra = crowd.extra_of(row);
     out.value(extra ? extra->max_up : 0.0f), out.value(extra ? extra->max_down : 0.0f);
     write_colours(out, crowd, row);

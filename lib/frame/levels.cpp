@@ -1,6 +1,7 @@
 // S1 4, S0 5: computes one eyeDistance for each individual, from which its rate and tick follow. The effective distance
 // selects the geometric, skeletal and behavioural levels.
 #include <algorithm>
+#include <cmath>
 
 #include "lib/base/hash.h"
 #include "lib/frame/steps.h"
@@ -10,6 +11,8 @@ namespace claque::frame
 
 namespace
 {
+
+constexpr double turning_reach = 0.3;  // of the Sklsroot radius: how far from the axis the feet of a body stand
 
 // The last level whose distance is reached, or the finest.
 uint32_t level_at(const model::Template &tmpl, float distance_m)
@@ -31,10 +34,20 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
     return std::min(row.visibility.level, level_at(tmpl, effective_distance_m / (1 - hysteresis)));
 }
 
-// World units a second.
+// World units a second: of what the host moves, the track and the root path. They are added, so it may be too high.
 double ChooseLevels::speed_of(const Candidate &candidate) const
 {
-    return given.crowd.follows().of(candidate.row) ? motions[candidate.tested].limb_speed : 0;
+    const crowd::Crowd &crowd = given.crowd;
+    const uint32_t row = candidate.row, group = crowd.group_of(row);
+    double speed = double(crowd.extent_of(row).speed);
+    if (group != model::none) speed += double(crowd.group(group).speed);
+    if (crowd.follows().of(row)) speed += motions[candidate.tested].limb_speed;
+    if (crowd.behaviours().has_root_path_play(row)) {
+        const behave::RootSpeed path = behave::root_speed_at(crowd, row, given.time_s);
+        const double limbs = turning_reach * double(crowd.extent_of(row).sklsroot);
+        speed += (path.speed + path.turn_rad_s * limbs) * std::fabs(double(candidate.root.scale));
+    }
+    return speed;
 }
 
 void ChooseLevels::evaluate_candidate(uint32_t i) const

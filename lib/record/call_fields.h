@@ -134,6 +134,8 @@ void walk(A &a, T &c)
         walk_id(a, c.group), walk_place(a, c.transform);
     } else if constexpr (is<GroupSetEnabled, T>) {
         walk_id(a, c.group), a.flag(c.enabled);
+    } else if constexpr (is<GroupSetSpeed, T>) {
+        walk_id(a, c.group), a.value(c.speed);
     } else {
         walk_id(a, c.actor);
         walk_acting(a, c);

@@ -191,14 +191,19 @@ struct GroupSetEnabled {
     clq_group group = {};
     bool enabled = false;
 };
+struct GroupSetSpeed {
+    static constexpr Kind kind = Kind::group_set_speed;
+    clq_group group = {};
+    float speed = 0;
+};
 
-// All of them. Transforms and colours of many actors, and descriptions (lib/crowd/descriptions.h), have forms of their
-// own.
+// All of them. Transforms, speeds and colours of many actors, and descriptions (lib/crowd/descriptions.h), have forms
+// of their own.
 using Calls =
     std::tuple<ActorCreate, ActorDestroy, ActorClone, ActorPlay, ActorFadeTo, ActorSetGaitShare, ActorAddLayer,
                ActorEndLayer, ActorSetWatched, ActorSetTextureSet, ActorSetPriority, ActorAttach, ActorDetach,
                ActorJoin, ActorFollowTrack, ActorFadeToTrack, ActorLeaveTrack, ActorAttachMechanism,
                ActorDetachMechanism, ActorGaze, ActorExpress, ActorSay, ActorPlayRootPath, ActorFollowGround,
-               GroupCreate, GroupDestroy, GroupSetTransform, GroupSetEnabled>;
+               GroupCreate, GroupDestroy, GroupSetTransform, GroupSetEnabled, GroupSetSpeed>;
 
 }  // namespace claque::record

@@ -66,7 +66,9 @@ enum class Kind : uint8_t {
     group_destroy = 47,
     group_set_transform = 48,
     group_set_enabled = 49,
-    after_calls = 50
+    crowd_set_speeds = 50,
+    group_set_speed = 51,
+    after_calls = 52
 };
 
 inline uint64_t checksum_of(const uint8_t *contents, uint32_t size, uint64_t number)

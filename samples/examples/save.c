@@ -35,6 +35,7 @@ int main(void)
     clq_transform place = clq_transform_init();
     place.position[0] = 100;
     check(clq_group_create(crowd, &place, &carriage));
+    check(clq_group_set_speed(crowd, carriage, 1.5f)); /* at walking pace: its passengers are posed so often */
     clq_actor first, second;
     clq_actor_def def = clq_actor_def_init();
     def.tmpl = citizen, def.seed = 1;

@@ -151,6 +151,11 @@ void add_crowds(std::vector<Call> &all)
         const clq_transform transform = clq_transform_init();
         return clq_group_set_transform(o.crowd, o.group, &transform);
     });
+    change("clq_group_set_speed", [](O o) { return clq_group_set_speed(o.crowd, o.group, 1); });
+    change("clq_crowd_set_speeds", [](O o) {
+        const float speed = 1;
+        return clq_crowd_set_speeds(o.crowd, &o.actor, &speed, 1);
+    });
     change("clq_group_set_enabled", [](O o) { return clq_group_set_enabled(o.crowd, o.group, true); });
     change("clq_view_create", [](O o) {
         clq_view *made;

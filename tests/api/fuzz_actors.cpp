@@ -54,6 +54,9 @@ void World::place()
     const uint32_t count = random_.below(6);
     for (uint32_t i = 0; i < count; ++i) ids[i] = who(), places[i] = any_place();
     call("clq_crowd_set_transforms", [&] { return clq_crowd_set_transforms(crowd_, ids, places, count); });
+    float speeds[5];
+    for (float &speed : speeds) speed = random_.oddf(0, 4);
+    call("clq_crowd_set_speeds", [&] { return clq_crowd_set_speeds(crowd_, ids, speeds, count); });
 }
 
 void World::play()
@@ -147,6 +150,8 @@ void World::move_group()
     if (random_.one_in(3))
         call("clq_group_set_enabled", [&] { return clq_group_set_enabled(crowd_, group, !random_.one_in(3)); });
     else call("clq_group_set_transform", [&] { return clq_group_set_transform(crowd_, group, &place); });
+    const float speed = random_.oddf(0, 4);
+    call("clq_group_set_speed", [&] { return clq_group_set_speed(crowd_, group, speed); });
 }
 
 void World::join()

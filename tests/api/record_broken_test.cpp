@@ -178,7 +178,7 @@ TEST_F(BrokenRecords, NameWhatIsWrong)
     const Bytes stranger = {99, 0, 0, 0, 7, 0, 0, 0};
     EXPECT_EQ(has(problem(Kind::actor_destroy, stranger), "the entry at byte "), "");
     EXPECT_EQ(has(problem(Kind::actor_destroy, {1, 2}), "ends 2 bytes too early"), "");
-    EXPECT_EQ(has(problem(Kind::after_calls, {}), "an entry of kind 50, which this library does not know"), "");
+    EXPECT_EQ(has(problem(Kind::after_calls, {}), "an entry of kind 52, which this library does not know"), "");
     EXPECT_EQ(has(problem(Kind::crowd_def, {}), "or a second one"), "");
     EXPECT_EQ(has(problem(Kind::step, {0, 0, 0, 0, 0, 0, 0xf0, 0x7f}), "has no time"), "");
     Bytes group(1 + 44 + 8, 0);  // nowhere

@@ -92,6 +92,13 @@ std::vector<Recorded> calls_of_actors()
          }},
         {"clq_group_destroy", [](S s) { return clq_group_destroy(s.crowd, s.group); }},
         {"clq_group_set_transform", [](S s) { return clq_group_set_transform(s.crowd, s.group, &place); }},
+        {"clq_group_set_speed", [](S s) { return clq_group_set_speed(s.crowd, s.group, 1.5f); }},
+        {"clq_crowd_set_speeds",
+         [](S s) {
+             const clq_actor actors[2] = {s.other, s.member};
+             const float speeds[2] = {0.75f, 2};
+             return clq_crowd_set_speeds(s.crowd, actors, speeds, 2);
+         }},
         {"clq_group_set_enabled", [](S s) { return clq_group_set_enabled(s.crowd, s.group, false); }},
         {"clq_crowd_restore",
          [](S s) { return clq_crowd_restore(s.crowd, s.state.data(), s.state.size(), s.world.templates, 2); }}};

@@ -19,7 +19,7 @@ TEST_F(SaveBytes, BytesThatAreCutChangedOrOfAnotherVersionAreRefused)
     refused(Bytes(1, 'c'), CLQ_FORMAT, "1 bytes that are not a saved crowd");
     Bytes other = bytes;
     saved::put(other, 8, 2, 4);
-    refused(other, CLQ_FORMAT, "a saved crowd of version 2: this library reads version 5");
+    refused(other, CLQ_FORMAT, "a saved crowd of version 2: this library reads version 6");
     saved::put(other, 8, 0x01000000, 4);
     refused(other, CLQ_FORMAT, "version 16777216");
     other = bytes;

@@ -211,6 +211,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
     switch (bits % 15) {
         case 0:
             status = clq_crowd_set_transforms(crowd, &who, &place, 1);
+            clq_crowd_set_speeds(crowd, &who, &share, 1);
             break;
         case 1:
             if (step % 3 == 0) status = clq_actor_play(crowd, who, &play);
@@ -239,6 +240,7 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
             break;
         case 9:
             clq_group_set_enabled(crowd, group, step % 5 != 0), clq_group_set_transform(crowd, group, &place);
+            clq_group_set_speed(crowd, group, share);
             break;
         case 10:
             if (figure) status = clq_actor_attach_mechanism(crowd, who, &use);

@@ -74,10 +74,12 @@ static void enter_players(void)
     }
 }
 
+static const float walking_speed = 1.15f; /* metres a second */
+
 /* Up and down the path forever: a function of time. */
 static clq_transform walk(int walker, double time_s)
 {
-    const float speed = 1.15f, length = 30;
+    const float speed = walking_speed, length = 30;
     const float way = walker % 2 ? 1.0f : -1.0f;
     const float start = length * ((float)walker + 0.6f * paint_random((unsigned)walker, 5, 40)) / WALKERS;
     const float along = fmodf(start + (float)fmod(time_s * speed, length), length);
@@ -101,7 +103,11 @@ void visitors_create(clq_gl_function (*get_proc_address)(void *user, const char 
     }
     enter_listeners();
     enter_players();
-    for (int i = 0; i < WALKERS; ++i) enter(LISTENERS + PLAYERS + i, walk(i, 0), "walk");
+    for (int i = 0; i < WALKERS; ++i) {
+        const int who = LISTENERS + PLAYERS + i;
+        enter(who, walk(i, 0), "walk");
+        check(clq_crowd_set_speeds(crowd, &actors[who], &walking_speed, 1)); /* claque sees places, not speeds */
+    }
 }
 
 void visitors_draw(const park_eye *eye, double time_s, clq_guard guard)

@@ -221,4 +221,31 @@ TEST(Table, IsContinuousAllRound)
     }
 }
 
+// By differences over a tenth of a millisecond; rotations have the precision of float, so theirs take longer.
+TEST(RootSpeed, IsThatOfTheTransforms)
+{
+    const crowd::RootPath paths[] = {any_flight(3, 6), any_flight(8, 2), table()};
+    for (const crowd::RootPath &path : paths)
+        for (const float pace : {1.0f, -0.4f}) {
+            TestActors test_actors;
+            const uint32_t number = test_actors.crowd.behaviours().add(crowd::RootPath(path));
+            crowd::RootPathPlay motion;
+            motion.path = number, motion.speed = pace;
+            crowd::play_root_path(test_actors.crowd, test_actors.ids[0], motion);
+            const double duration = double(path.duration_s) / std::fabs(double(pace));
+            for (double t = 0.0031; t < duration; t += duration / 97) {
+                const crowd::Transform a = root_transform_at(test_actors.crowd, 0, t);
+                const crowd::Transform b = root_transform_at(test_actors.crowd, 0, t + 1e-4);
+                const RootSpeed speed = root_speed_at(test_actors.crowd, 0, t + 5e-5);
+                EXPECT_NEAR(speed.speed, glm::length(b.position - a.position) / 1e-4, 1e-3 * (1 + speed.speed)) << t;
+                const double round = t * std::fabs(double(pace));
+                if (path.flight || std::fabs(round - std::round(round)) < 0.06) continue;  // near a key
+                const crowd::Transform later = root_transform_at(test_actors.crowd, 0, t + 0.05);
+                EXPECT_NEAR(speed.turn_rad_s, radians_between(a.orientation, later.orientation) / 0.05, 0.02) << t;
+            }
+        }
+    const TestActors without;
+    EXPECT_EQ(root_speed_at(without.crowd, 0, 3).speed, 0);
+}
+
 }  // namespace claque::behave
