@@ -68,3 +68,9 @@ def test_the_parity_example_reports_the_distance(tmp_path):
 def test_the_procession_leaves_its_picture(tmp_path):
     assert "in view" in run_example("procession.py", tmp_path)
     assert (tmp_path / "procession.png").stat().st_size > 10000
+
+
+@drawing
+def test_the_passers_leave_their_picture(tmp_path):
+    assert "in view" in run_example("passers.py", tmp_path)
+    assert (tmp_path / "passers.png").stat().st_size > 10000

@@ -59,11 +59,37 @@ def test_actors_follow_them_and_are_drawn(context, walk):
 
 
 def test_trajectories_become_tracks(context, walk):
-    table = b"time,pedID,posX,posY\n" + b"".join(b"%g,%d,%g,2\n" % (0.5 * i, who, 0.6 * i + who) for i in range(20) for who in (7, 8))
+    table = b"time,pedID,posX,posY\n" + b"".join(b"%g,%d,%g,2\n" % (0.5 * i, who, 0.6 * i + who)
+                                                 for i in range(20) for who in (7, 8))
     with claque.Trajectories.from_bytes(context, table, "people.csv") as read:
         tracks = claque.Tracks.from_trajectories(walk, read)
     assert tracks.ids == ["7", "8"]
     assert list(tracks.tracks[1].at(4.5).position) == pytest.approx([8 + 5.4, 0, -2], abs=0.05)
+
+
+def passers():
+    """Anna and Ben walk towards each other and pass at half a metre; Carl walks far away."""
+    times = numpy.arange(0, 8, 0.1)
+    ways = [numpy.stack([1.2 * times, 0 * times], 1), numpy.stack([9.6 - 1.2 * times, 0.5 + 0 * times], 1),
+            numpy.stack([1.2 * times, 40 + 0 * times], 1)]
+    return numpy.repeat(["anna", "ben", "carl"], len(times)), numpy.tile(times, 3), numpy.concatenate(ways)
+
+
+def test_passings_are_where_people_meet(context):
+    ids, times, xy = passers()
+    points = numpy.stack([xy[:, 0], 0 * times, -xy[:, 1]], 1)
+    found = claque.find_passings(context, [(times[ids == who], points[ids == who]) for who in ("anna", "ben", "carl")])
+    assert [len(own) for own in found] == [1, 1, 0]
+    assert found[0]["time_s"][0] == pytest.approx(4, abs=0.11)
+    assert found[0]["position"][0] == pytest.approx([4.8, 0, -0.5], abs=0.13), "Ben's place"
+    with pytest.raises(claque.Error, match="not finite"):
+        claque.find_passings(context, [([0, 1], [[0, 0, 0], [numpy.nan, 0, 0]])])
+
+
+def test_shoulders_turn_where_people_pass(context, walk):
+    with_passings, without = (claque.Tracks.from_numpy(walk, *passers(), passings=wanted) for wanted in (True, False))
+    differ = [a.info.hash != b.info.hash for a, b in zip(with_passings.tracks, without.tracks)]
+    assert differ == [True, True, False]
 
 
 def test_arrays_of_other_shapes_are_refused(walk):

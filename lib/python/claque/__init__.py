@@ -14,8 +14,9 @@ from .renderer import Renderer
 from .scene import Scene
 from .stage import Agent, Stage
 from .template import Template
-from .tracks import Locomotion, Track, Tracks
+from .tracks import Locomotion, Track, Tracks, find_passings
 from .trajectories import Area, Trajectories
 
 __all__ = ["Actor", "Agent", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer",
-           "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View", "library_paths"]
+           "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View", "find_passings",
+           "library_paths"]

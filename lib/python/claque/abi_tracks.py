@@ -18,7 +18,8 @@ class LocomotionDef(Sized):
 class LocomotionInfo(Sized):
     _fields_ = [("struct_bytes", c_uint32)] + [(name, c_float) for name in (
         "walk_stride", "run_stride", "walk_speed", "run_speed", "leg_length")] + [("legs", LegDef * 2)] + [
-        (name, c_float) for name in ("slow_stride", "slow_speed")] + [(name, c_uint32) for name in ("torso", "neck", "head")]
+        (name, c_float) for name in ("slow_stride", "slow_speed")] + [
+        (name, c_uint32) for name in ("torso", "neck", "head")]
 
 
 class TrackPoint(Structure):
@@ -52,5 +53,6 @@ class TrackState(Structure):
 
 STRUCTS.update({
     "clq_leg_def": LegDef, "clq_locomotion_def": LocomotionDef, "clq_locomotion_info": LocomotionInfo,
-    "clq_track_point": TrackPoint, "clq_track_passing": TrackPassing, "clq_found_passing": FoundPassing, "clq_track_def": TrackDef, "clq_track_info": TrackInfo, "clq_track_state": TrackState,
+    "clq_track_point": TrackPoint, "clq_track_passing": TrackPassing, "clq_found_passing": FoundPassing,
+    "clq_track_def": TrackDef, "clq_track_info": TrackInfo, "clq_track_state": TrackState,
 })

@@ -25,6 +25,10 @@ class Actor:
         transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
         abi.call("clq_crowd_set_transforms", self.crowd.handle, byref(self.id), byref(transform), c_uint32(1))
 
+    def set_speed(self, speed):
+        """Says how fast set_transform moves it, in world units a second, so that it is posed often enough."""
+        abi.call("clq_crowd_set_speeds", self.crowd.handle, byref(self.id), byref(c_float(speed)), c_uint32(1))
+
     def randomise_colours(self):
         """Samples its colours from its template's HSB ranges by its seed (S2 5)."""
         abi.call("clq_actor_randomise_colours", self.crowd.handle, self.id, None, 0)

@@ -1,6 +1,6 @@
 """People who walk where arrays say that they were (claque/track.h)."""
 
-from ctypes import POINTER, byref, c_double, c_uint32, cast
+from ctypes import POINTER, byref, c_double, c_size_t, c_uint32, cast
 
 import numpy
 
@@ -8,6 +8,8 @@ from . import abi, abi_tracks
 from .owner import Owned, made
 
 POINT = numpy.dtype([("time_s", "f8"), ("position", "f8", 3), ("heading_rad", "f4")], align=True)
+PASSING = numpy.dtype([("time_s", "f8"), ("position", "f8", 3)], align=True)
+FOUND = numpy.dtype([("track", "u4"), ("passing", PASSING)], align=True)
 
 
 class Locomotion(Owned):
@@ -38,24 +40,51 @@ class Locomotion(Owned):
         return out
 
 
+def _definition(times_s, points, headings=None, **options):
+    """A clq_track_def, and the array that it points into."""
+    times_s, points = numpy.asarray(times_s, float), numpy.asarray(points, float)
+    if times_s.ndim != 1 or points.shape != (len(times_s), 3):
+        raise ValueError(f"times of shape {times_s.shape} and points of shape {points.shape}: (n,) and (n, 3) are "
+                         "wanted")
+    own = numpy.zeros(len(times_s), POINT)
+    own["time_s"], own["position"] = times_s, points
+    own["heading_rad"] = numpy.nan if headings is None else headings
+    return abi_tracks.TrackDef(point_count=len(own), points=own.ctypes.data, **options), own
+
+
+def find_passings(context, people, metres_per_unit=1.0):
+    """Finds where people come within 1 m of each other while they move against each other (clq_find_passings).
+
+    people: one (times_s, points) for each, as for Track. Returns an array of times and positions of the others for
+    each, as Track takes it."""
+    made_ones = [_definition(times_s, points, metres_per_unit=metres_per_unit) for times_s, points in people]
+    definitions = (POINTER(abi_tracks.TrackDef) * len(made_ones))(*[cast(byref(one), POINTER(abi_tracks.TrackDef))
+                                                                   for one, _ in made_ones])
+    count = c_size_t()
+    arguments = context.handle, definitions, c_uint32(len(made_ones))
+    abi.call("clq_find_passings", *arguments, None, c_size_t(0), byref(count))
+    found = numpy.zeros(count.value, FOUND)
+    abi.call("clq_find_passings", *arguments, found.ctypes.data_as(POINTER(abi_tracks.FoundPassing)), count,
+             byref(count))
+    return [found["passing"][found["track"] == number] for number in range(len(made_ones))]
+
+
 class Track(Owned):
-    """The path of one actor. points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown. previous: the
-    piece that this one continues; end_s: where it ends before the last point."""
+    """The path of one actor.
+
+    points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown; previous: the piece that this
+    one continues; end_s: where it ends before the last point; passings: others that pass, from find_passings."""
 
     _destroy = "clq_track_destroy"
 
     def __init__(self, locomotion, times_s, points, headings=None, smooth_s=1.1, metres_per_unit=1.0, scale=1.0, seed=0,
-                 previous=None, end_s=1e300):
-        times_s, points = numpy.asarray(times_s, float), numpy.asarray(points, float)
-        if times_s.ndim != 1 or points.shape != (len(times_s), 3):
-            raise ValueError(f"times of shape {times_s.shape} and points of shape {points.shape}: (n,) and (n, 3) are wanted")
-        own = numpy.zeros(len(times_s), POINT)
-        own["time_s"], own["position"] = times_s, points
-        own["heading_rad"] = numpy.nan if headings is None else headings
-        definition = abi_tracks.TrackDef(point_count=len(own), points=own.ctypes.data, smooth_s=smooth_s,
-                                  metres_per_unit=metres_per_unit, scale=scale, seed=seed,
-                                  previous=previous.handle if previous else None, end_s=end_s)
+                 previous=None, end_s=1e300, passings=None):
+        passings = numpy.ascontiguousarray(numpy.zeros(0) if passings is None else passings, PASSING)
+        definition, own = _definition(times_s, points, headings, smooth_s=smooth_s, metres_per_unit=metres_per_unit,
+                                      scale=scale, seed=seed, previous=previous.handle if previous else None,
+                                      end_s=end_s, passing_count=len(passings), passings=passings.ctypes.data)
         super().__init__(made("clq_track_create", abi.call, locomotion.handle, byref(definition)), locomotion)
+        del own, passings  # claque has copied them
 
     @property
     def info(self):
@@ -78,13 +107,15 @@ class Tracks:
         self.ids, self.tracks = list(ids), list(tracks)
 
     @classmethod
-    def from_numpy(cls, locomotion, ids, times_s, xy, headings=None, **options):
+    def from_numpy(cls, locomotion, ids, times_s, xy, headings=None, passings=True, **options):
         """xy: (n, 2), metres to the east and north, or (n, 3) with the height; headings: radians counter-clockwise from
-        the east. In the crowd x is east, y up, and z south. Rows may stand in any order. `options`: as for Track."""
+        the east. In the crowd x is east, y up, and z south. Rows may stand in any order. passings: whether people turn
+        their shoulders where they pass closely. `options`: as for Track."""
         ids, times_s, xy = numpy.asarray(ids), numpy.asarray(times_s, float), numpy.asarray(xy, float)
-        if ids.shape != times_s.shape or ids.ndim != 1 or xy.ndim != 2 or len(xy) != len(ids) or xy.shape[1] not in (2, 3):
-            raise ValueError(f"ids, times and positions of shapes {ids.shape}, {times_s.shape} and {xy.shape}: (n,), (n,) "
-                             "and (n, 2) or (n, 3) are wanted")
+        good = ids.shape == times_s.shape and ids.ndim == 1 and xy.ndim == 2
+        if not good or len(xy) != len(ids) or xy.shape[1] not in (2, 3):
+            raise ValueError(f"ids, times and positions of shapes {ids.shape}, {times_s.shape} and {xy.shape}: (n,), "
+                             "(n,) and (n, 2) or (n, 3) are wanted")
         points = numpy.zeros((len(ids), 3))
         points[:, 0], points[:, 2] = xy[:, 0], -xy[:, 1]
         if xy.shape[1] == 3:
@@ -94,11 +125,13 @@ class Tracks:
         order = numpy.argsort(times_s, kind="stable")
         names, first = numpy.unique(ids, return_index=True)
         names = names[numpy.argsort(first)]
-        tracks = []
-        for number, name in enumerate(names):
-            rows = order[ids[order] == name]
-            own = None if headings is None else headings[rows]
-            tracks.append(Track(locomotion, times_s[rows], points[rows], own, **{"seed": number, **options}))
+        rows = [order[ids[order] == name] for name in names]
+        near = [None] * len(names)
+        if passings:
+            near = find_passings(locomotion.template._held[0], [(times_s[own], points[own]) for own in rows],
+                                 options.get("metres_per_unit", 1.0))
+        tracks = [Track(locomotion, times_s[own], points[own], None if headings is None else headings[own],
+                        **{"seed": number, "passings": near[number], **options}) for number, own in enumerate(rows)]
         return cls(names.tolist(), tracks)
 
     @classmethod

@@ -26,12 +26,17 @@ def enter(crowd, templates, rows=24):
             actor = crowd.add(templates[name], clip="walk", phase_s=seed * 0.137 % 1.1, seed=seed,
                               texture_set=claque.abi.RANDOM)
             people.append((actor, (file - 1.5) * 1.1, -1.4 * row))
+    for actor, _, _ in people:
+        actor.set_speed(SPEED_M_S)
     return people
 
 
-def move(people, time_s, speed=1.27):
+SPEED_M_S = 1.27
+
+
+def move(people, time_s):
     for actor, beside, behind in people:
-        x, z, heading = road(behind + speed * time_s)
+        x, z, heading = road(behind + SPEED_M_S * time_s)
         actor.set_transform((x + beside * math.cos(heading), 0, z - beside * math.sin(heading)), heading)
 
 
@@ -67,7 +72,7 @@ def main():
             people = enter(crowd, templates)
             renderer.prepare(*templates.values())
             view = crowd.view()
-            x, z, _ = road(1.27 * time_s)
+            x, z, _ = road(SPEED_M_S * time_s)
             eye, look_at, fov_y_rad = (x + 5.5, 3.2, z + 7), (x - 1, 1.0, z - 6), 0.75
             view.look_at(eye, look_at, fov_y_rad=fov_y_rad, aspect=800 / 450)
             move(people, time_s)
