@@ -169,6 +169,13 @@ std::vector<std::string> TomlTable::texts(std::string_view key)
     return all;
 }
 
+std::vector<std::string> TomlTable::names() const
+{
+    std::vector<std::string> all;
+    for (const auto &[key, node] : *table_) all.emplace_back(key.str());
+    return all;
+}
+
 std::vector<std::pair<std::string, std::string>> TomlTable::named_texts()
 {
     std::vector<std::pair<std::string, std::string>> all;

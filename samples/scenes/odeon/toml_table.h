@@ -38,6 +38,8 @@ public:
     std::array<double, 3> triple(std::string_view key, Limits limits, const char *names);
     std::vector<double> numbers(std::string_view key, Limits limits);  // one number, or a list of them
     std::vector<std::string> texts(std::string_view key);
+    // All keys, for tables whose keys are names.
+    std::vector<std::string> names() const;
     // All texts with their keys, for tables whose keys are names.
     std::vector<std::pair<std::string, std::string>> named_texts();
     TomlTable table(std::string_view key, const std::string &what);

@@ -72,6 +72,24 @@ void read_clips(TomlTable clips, SocialClass::Clips &out)
             "idles");
 }
 
+void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
+{
+    if (described.has("clips"))
+        read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
+    if (made.character.find_first_of("./") != std::string::npos)
+        made.character = file_of(described, "character", files);
+}
+
+// With [stage] a class is what it looks like: how many there are of it, and what they do, is said by [[agents]].
+void read_agents_class(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
+{
+    for (const char *key : {"count", "share", "programme"})
+        described.expect_no(key,
+                            "which goes with [theatre] or [tracks] alone; with [stage], [[agents]] says how many "
+                            "people there are and what they do");
+    read_clips_and_file(described, files, made);
+}
+
 void read_walkers(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
 {
     described.expect_no("count",
@@ -79,17 +97,14 @@ void read_walkers(TomlTable &described, const ScenarioFiles &files, SocialClass 
                         "'share' how many of them are of this class");
     described.expect_no("programme", "which goes with [theatre]; on tracks people walk and stand");
     if (described.has("share")) made.share = described.number("share", {0, 1e6});
-    if (described.has("clips"))
-        read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
-    if (made.character.find_first_of("./") != std::string::npos)
-        made.character = file_of(described, "character", files);
+    read_clips_and_file(described, files, made);
 }
 
 }  // namespace
 
 void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 {
-    const bool sit = all.has("theatre");
+    const bool decide = all.has("stage"), sit = !decide && all.has("theatre");
     double shares = 0;
     for (TomlTable &described : all.tables("characters", "[[characters]]")) {
         SocialClass made;
@@ -101,7 +116,8 @@ void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scena
             for (auto &[zone, dye] : described.table("palette", "class '" + made.name + "'")
                                          .named_tables("palette entry of class '" + made.name + "' for"))
                 made.palette.push_back({zone, range_of(dye)});
-        if (sit) read_sitters(described, made);
+        if (decide) read_agents_class(described, files, made);
+        else if (sit) read_sitters(described, made);
         else read_walkers(described, files, made);
         described.done();
         for (const SocialClass &other : scenario.characters)

@@ -13,6 +13,22 @@ MakeScenario &maker_of_walkers()
     return make;
 }
 
+MakeScenario &maker_of_stages()
+{
+    static MakeScenario make = nullptr;
+    return make;
+}
+
+MakeScenario maker_for(const Scenario &scenario)
+{
+    if (!scenario.stage && !scenario.tracks) return make_theatre;
+    const MakeScenario make = scenario.stage ? maker_of_stages() : maker_of_walkers();
+    if (!make)
+        throw Failure((scenario.stage ? scenario.stage->at : scenario.tracks->at) + ": this program draws no people " +
+                      (scenario.stage ? "that decide" : "on tracks") + "; the command claque does");
+    return make;
+}
+
 void colour_people(const Scene &scene, Library &library, const Scenario &scenario, uint64_t seed)
 {
     asked_at(scenario.colours_at, [&] { ColourFile(library, scenario.colours).apply(scene, seed); });
@@ -21,12 +37,11 @@ void colour_people(const Scene &scene, Library &library, const Scenario &scenari
 }  // namespace
 
 void draw_tracks_with(MakeScenario make) { maker_of_walkers() = make; }
+void draw_stages_with(MakeScenario make) { maker_of_stages() = make; }
 
 std::unique_ptr<Scene> make_scenario(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)
 {
-    const MakeScenario make = scenario.tracks ? maker_of_walkers() : make_theatre;
-    if (!make) throw Failure(scenario.tracks->at + ": this program draws no people on tracks; the command claque does");
-    std::unique_ptr<Scene> scene = make(library, crowd_options, scenario);
+    std::unique_ptr<Scene> scene = maker_for(scenario)(library, crowd_options, scenario);
     if (!scenario.colours.empty()) colour_people(*scene, library, scenario, crowd_options.seed);
     return scene;
 }

@@ -11,10 +11,11 @@ namespace
 {
 
 // Theatres had no sections, and their people were part of them.
-void refuse_former_keys(const TomlTable &all)
+void refuse_former_keys(TomlTable &all)
 {
-    for (const char *former : {"orchestra", "seats", "rows", "walkways", "gangways", "stage"})
+    for (const char *former : {"orchestra", "seats", "rows", "walkways", "gangways"})
         all.renamed(former, "theatre." + std::string(former));
+    if (!all.has("agents")) all.renamed("stage", "theatre.stage");
     all.renamed("audience", "characters");
 }
 
@@ -22,8 +23,10 @@ void expect_people(TomlTable &all, const Scenario &scenario)
 {
     if (scenario.theatre && scenario.tracks)
         all.refuse("has people who sit, [theatre], and people who walk, [tracks]; it needs one of the two", "tracks");
-    if (!scenario.theatre && !scenario.tracks)
-        all.refuse("does not say where its people are: it needs [theatre] or [tracks]");
+    if (scenario.stage && scenario.tracks)
+        all.refuse("has people who decide, [stage], and people on tracks, [tracks]; it needs one of the two", "tracks");
+    if (!scenario.theatre && !scenario.tracks && !scenario.stage)
+        all.refuse("does not say where its people are: it needs [theatre] or [tracks], or [stage]");
 }
 
 std::string why_not_there(const std::string &path)

@@ -13,6 +13,7 @@
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/scenario/staging.h"
 #include "samples/scenes/scene.h"
 
 namespace scenes
@@ -29,9 +30,10 @@ struct TrackFile {
 struct Scenario {
     std::string name;
     std::vector<SocialClass> characters;
-    // One of these.
+    // One of these; a stage may be in a theatre.
     std::optional<Theatre> theatre;
     std::optional<TrackFile> tracks;
+    std::optional<Staging> stage;
 
     std::optional<CameraPath> path;
     std::string follow;  // the id of the person whom the camera follows; empty: it stands
@@ -68,5 +70,7 @@ std::unique_ptr<Scene> make_theatre(Library &library, const CrowdOptions &crowd_
 // others, which are built without people on tracks, refuse them.
 using MakeScenario = std::unique_ptr<Scene> (*)(Library &, const CrowdOptions &, const Scenario &);
 void draw_tracks_with(MakeScenario make);
+// The same for agents that decide (samples/stage/staged_scene.h).
+void draw_stages_with(MakeScenario make);
 
 }  // namespace scenes

@@ -7,7 +7,9 @@ const std::vector<ScenarioSection> &scenario_sections()
 {
     static const std::vector<ScenarioSection> all = {
         {"characters", read_characters}, {"theatre", read_theatre}, {"tracks", read_tracks},
-        {"camera", read_camera},         {"light", read_light},     {"ground", read_ground},
+        {"stage", read_staging},         {"places", read_places},   {"navigation", read_navigation},
+        {"doors", read_doors},           {"agents", read_agents},   {"camera", read_camera},
+        {"light", read_light},           {"ground", read_ground},
     };
     return all;
 }

@@ -20,11 +20,21 @@ const std::vector<ScenarioSection> &scenario_sections();
 void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_theatre(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_tracks(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_staging(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_places(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_doors(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_agents(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_camera(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_light(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_ground(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 
 // The path of the file that a key names. Throws Failure, with the key's place, if it cannot be read.
 std::string file_of(TomlTable &table, const char *key, const ScenarioFiles &files);
+
+// A rectangle [x0, z0, x1, z1], or x and z of the corners of a convex polygon.
+Outline read_outline(TomlTable &table, const char *key);
+// What [stage] said; refuses the section `key` without one.
+Staging &stage_of(TomlTable &all, const char *key, Scenario &scenario);
 
 }  // namespace scenes

@@ -72,7 +72,10 @@ void read_ground(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
     if (ground.has("paving")) scenario.paving = colour_of(ground, "paving", of_surfaces);
     if (!all.has("tracks"))
         for (const char *key : {"around", "area"})
-            ground.expect_no(key, "which goes with [tracks]; a theatre stands on its own ground");
+            if (!scenario.stage || scenario.theatre || std::string(key) == "area")
+                ground.expect_no(key, scenario.stage && !scenario.theatre
+                                          ? "which goes with [tracks]; people who decide have it in [navigation]"
+                                          : "which goes with [tracks]; a theatre stands on its own ground");
     if (ground.has("around")) scenario.around = colour_of(ground, "around", of_surfaces);
     if (ground.has("area")) {
         scenario.area = file_of(ground, "area", files);

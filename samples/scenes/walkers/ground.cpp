@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr Rgb stone = {0.93f, 0.91f, 0.87f}, wall = {0.80f, 0.76f, 0.70f}, grass = {0.44f, 0.50f, 0.36f};
-constexpr double margin_m = 4, wall_m = 0.3, half_thick_m = 0.08, country_m = 2000;
+constexpr double margin_m = 4, half_thick_m = 0.08, country_m = 2000;
 
 struct DestroyArea {
     void operator()(clq_area *p) const { clq_area_destroy(p); }
@@ -42,7 +42,7 @@ void plate(Geometry &out, const Plan &plan, double half_x, double half_z, double
         }
 }
 
-void raise_wall(Geometry &out, const double a[3], const double b[3])
+void raise_wall(Geometry &out, const double a[3], const double b[3], double wall_m)
 {
     const double x = b[0] - a[0], z = b[2] - a[2], length = std::sqrt(x * x + z * z);
     if (!(length > 0)) return;
@@ -58,7 +58,7 @@ void raise_wall(Geometry &out, const double a[3], const double b[3])
     out.quad({high[0], high[1], high[2], high[3]}, wall);
 }
 
-void pave(const clq_area_info &info, const Plan &plan, Rgb paving, Ground &ground)
+void pave(const clq_area_info &info, const Plan &plan, Rgb paving, double walls_m, Ground &ground)
 {
     std::vector<double> points(3 * size_t(info.point_count));
     for (uint32_t i = 0; i < info.point_count; ++i) {
@@ -73,9 +73,9 @@ void pave(const clq_area_info &info, const Plan &plan, Rgb paving, Ground &groun
         }
         ground.paving.triangle(corners[0], corners[1], corners[2]);
     }
-    for (uint32_t w = 0; w < info.wall_count; ++w)
+    for (uint32_t w = 0; walls_m > 0 && w < info.wall_count; ++w)
         raise_wall(ground.walls, points.data() + 3 * size_t(info.walls[2 * w]),
-                   points.data() + 3 * size_t(info.walls[2 * w + 1]));
+                   points.data() + 3 * size_t(info.walls[2 * w + 1]), walls_m);
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ void lay(Library &library, const Options &options, const Plan &plan, Ground &gro
     const std::unique_ptr<clq_area, DestroyArea> area(made);
     clq_area_info info = clq_area_info_init();
     check(clq_area_get_info(area.get(), &info));
-    pave(info, plan, paving, ground);
+    pave(info, plan, paving, options.walls_m, ground);
 }
 
 }  // namespace scenes::walkers

@@ -1,0 +1,75 @@
+// What a scenario says of agents that decide (docs/scenarios.md): who they are, where they come from, what they walk
+// on, and how long they are watched. Positions are those of the scene: x to the east, y up, z to the south, metres.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace scenes
+{
+
+struct Place {
+    std::string name;
+    std::array<double, 3> position;
+};
+
+// Corners x and z of a convex polygon, in order.
+using Outline = std::vector<double>;
+
+struct ScenarioDoor {
+    std::string name;
+    Outline outline;
+    double low_m = -1, high_m = 3;
+    bool open = true;
+    struct Change {
+        double at_s;
+        bool open;
+    };
+    std::vector<Change> changes;  // by time
+    std::string at;               // in the scenario, for messages
+};
+
+struct ScenarioGround {
+    std::string area;  // a file of the walkable area; empty: the rectangle, or what the setting has
+    Outline rectangle;
+    double radius_m = 0.2, height_m = 1.9, max_slope_deg = 40, max_step_m = 0.25, cell_m = 0, time_gap_s = 0.4;
+    uint64_t max_cells = 40000000;
+    double walls_m = 0.3;  // height of the walls round the area, as they are drawn
+    std::string at, area_at;
+};
+
+// People of one class that run one machine.
+struct ScenarioAgents {
+    std::string name;     // by which machines know the class: for events and searches
+    size_t member = 0;    // of the scenario's characters
+    std::string machine;  // a file
+    uint32_t count = 1;
+    std::vector<size_t> from;  // places where they appear; empty: within the outline
+    Outline outline;
+    double within_m = 0.5;              // of such a place
+    double apart_m = 0.6;               // from each other, where they appear
+    double from_s = 0;                  // when the first appears
+    double per_minute = 0;              // so many follow; 0: all at once
+    std::optional<double> heading_deg;  // none: any
+    std::vector<size_t> exits;          // places where they leave
+    std::string at, machine_at;
+};
+
+struct Staging {
+    double seconds = 60;
+    double tick_s = 0.05, lead_s = 1;
+    uint32_t budget = 0;   // cost of the tasks of a tick, without live time; 0: no limit
+    double budget_us = 0;  // the same in live time, microseconds
+    std::string timetable, timetable_at;
+    std::vector<Place> places;
+    std::optional<ScenarioGround> ground;  // none: nobody walks
+    std::vector<ScenarioDoor> doors;
+    std::vector<ScenarioAgents> agents;
+    std::string at;
+};
+
+}  // namespace scenes
