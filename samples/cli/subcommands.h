@@ -34,5 +34,6 @@ void add_cost(CLI::App &app, Work &chosen);
 void add_parity(CLI::App &app, Work &chosen);
 void add_tracks(CLI::App &app, Work &chosen);
 void add_play(CLI::App &app, Work &chosen);
+void add_stage(CLI::App &app, Work &chosen);
 
 }  // namespace cli

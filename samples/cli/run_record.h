@@ -1,0 +1,37 @@
+// A record that takes its place when it is whole: it is written beside it until then.
+#pragma once
+
+#include <claque/record.h>
+
+#include <cstdio>
+#include <optional>
+#include <string>
+
+#include "samples/io/unfinished.h"
+
+namespace cli
+{
+
+class RunRecord
+{
+public:
+    explicit RunRecord(const std::string &path);
+    ~RunRecord();
+    RunRecord(const RunRecord &) = delete;
+    RunRecord &operator=(const RunRecord &) = delete;
+
+    void begin(clq_crowd *crowd);
+    // Throws Failure; nothing is at the path then.
+    clq_recording_info end();
+
+private:
+    static int write(void *user, const void *bytes, size_t size);
+
+    std::string path_, draft_;
+    io::Unfinished unfinished_;
+    std::FILE *file_;
+    clq_crowd *crowd_ = nullptr;
+    bool kept_ = false;
+};
+
+}  // namespace cli

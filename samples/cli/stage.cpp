@@ -1,0 +1,69 @@
+// claque stage: runs a scenario whose people decide, and records it or draws it.
+#include <cmath>
+
+#include "samples/cli/command.h"
+#include "samples/cli/stage_work.h"
+
+namespace cli
+{
+namespace
+{
+
+void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
+{
+    c.add_option("--record", a->record, "Write the run to this file, which `claque play` shows")->type_name("FILE.clt");
+    CLI::Option *frames =
+        c.add_option("--frames", a->frames, "Draw these frames, first to last; frame k shows k / fps seconds")
+            ->type_name("A:B");
+    CLI::Option *out = c.add_option("--out,-o", a->out, "PNG files: a pattern like f-%05d.png");
+    frames->needs(out), out->needs(frames);
+    c.add_option("--stride", a->range.stride, "Draw only every N-th frame")
+        ->check(CLI::Range(1, 1000000))
+        ->needs(frames);
+    c.add_option("--json", a->json, "Write what was decided and shown as JSON; - is standard output");
+}
+
+void check_usage(StageArguments &a)
+{
+    read_scenario(a.setup);
+    check_scene_usage(a.setup);
+    if (!a.setup.described->stage)
+        throw CLI::ValidationError("SCENARIO", a.setup.scenario + " has no [stage]: its people do not decide");
+    if (!a.frames.empty()) {
+        if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
+        const std::string wrong = read_range(a.frames, a.range);
+        if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
+        if (!is_frame_pattern(a.out))
+            throw CLI::ValidationError("--out", "needs one place for the frame number, as in frame-%05d.png");
+    }
+    if (!(a.fps > 0 && a.fps <= 1000)) throw CLI::ValidationError("--fps", "must be above 0, and 1000 at most");
+    if (a.seconds == 0) a.seconds = a.setup.described->stage->seconds;
+    if (!(a.seconds > 0 && a.seconds <= 86400))
+        throw CLI::ValidationError("--seconds", "must be above 0, and 86400 at most");
+    if (!a.frames.empty() && a.range.last > a.seconds * a.fps)
+        throw CLI::ValidationError("--frames", "ends at " + std::to_string(a.range.last) + ", and the run has " +
+                                                   std::to_string(static_cast<int>(a.seconds * a.fps)) + " frames");
+}
+
+}  // namespace
+
+void add_stage(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<StageArguments>();
+    CLI::App *c = app.add_subcommand("stage", "Run a scenario whose people decide: record it, draw it, measure it");
+    c->add_option("SCENARIO", a->setup.scenario, "A scenario with [stage] (TOML, docs/scenarios.md)")->required();
+    add_scene_options(*c, a->setup);
+    add_outputs(*c, a);
+    c->add_option("--seconds", a->seconds, "Length of the run (default: as the scenario says)");
+    c->add_option("--fps", a->fps, "Frames a second of the run: of its record and of its pictures")
+        ->capture_default_str();
+    CLI::Option *apart = c->add_flag("--apart", a->apart, "Decisions in a thread of their own (default)");
+    c->add_flag("--in-turn", a->in_turn, "Decisions and drawing in turn on one thread; the record is the same")
+        ->excludes(apart);
+    c->callback([a, &chosen] {
+        check_usage(*a);
+        chosen = [a] { run_stage(*a); };
+    });
+}
+
+}  // namespace cli

@@ -1,0 +1,137 @@
+#include <optional>
+
+#include "samples/cli/files.h"
+#include "samples/cli/png.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/run_record.h"
+#include "samples/cli/stage_work.h"
+#include "samples/cli/stopwatch.h"
+#include "samples/stage/staged_scene.h"
+
+namespace cli
+{
+namespace
+{
+
+// A run and, if there are pictures, what draws it.
+struct Staging {
+    Staging(scenes::Library &library, const StageArguments &a)
+    {
+        LoadedCharacter loaded;
+        scenes::SceneOptions options = scene_options(a.setup, loaded);
+        staged::StageOptions stage;
+        stage.apart = !a.in_turn;
+        options.make = [&](scenes::Library &with, const scenes::CrowdOptions &crowd_options) {
+            auto made = staged::make_staged(with, crowd_options, *a.setup.described, stage);
+            scene = made.get();
+            return made;
+        };
+        if (a.frames.empty()) {
+            own = options.make(library, options.crowd_options);
+            return;
+        }
+        options.shadows.form = scenes::ShadowChoice::Form::blob;
+        renderer.emplace(library, options);
+    }
+
+    std::unique_ptr<scenes::Scene> own;
+    std::optional<scenes::SceneRenderer> renderer;
+    staged::StagedScene *scene = nullptr;
+};
+
+void write_picture(const StageArguments &a, scenes::SceneRenderer &renderer, int frame)
+{
+    renderer.draw_environment();
+    renderer.draw_shadows();
+    renderer.draw_crowd();
+    const std::vector<uint8_t> &rgb = renderer.read();
+    const std::vector<unsigned char> file =
+        png(rgb.data(), a.setup.width, a.setup.height, {{"Software", "claque " + version()}});
+    write_whole(frame_path(a.out, frame), file.data(), file.size());
+}
+
+bool is_drawn(const StageArguments &a, int frame)
+{
+    return !a.frames.empty() && frame >= a.range.first && frame <= a.range.last &&
+           (frame - a.range.first) % a.range.stride == 0;
+}
+
+Json report_of(const StageArguments &a, staged::Run &run, int frames)
+{
+    const clq_stage_info info = run.info();
+    const staged::RunCounts counts = run.counts();
+    uint64_t done = 0, late = 0;
+    double wait_s = 0;
+    for (const clq_stage_class_info &one : info.classes) {
+        done += one.done, late += one.late;
+        wait_s = std::max(wait_s, one.longest_wait_s);
+    }
+    return {{"claque", version()},
+            {"scenario", a.setup.scenario},
+            {"seed", a.setup.seed},
+            {"seconds", a.seconds},
+            {"frames", frames},
+            {"threads", thread_count(a.setup)},
+            {"flows", a.in_turn ? "in turn" : "apart"},
+            {"people", run.people().all().size()},
+            {"came", counts.came},
+            {"left", counts.left},
+            {"decided_s", info.decided_s},
+            {"ticks", info.ticks},
+            {"decisions", done},
+            {"late_decisions", late},
+            {"longest_wait_s", wait_s},
+            {"transitions", info.transitions},
+            {"events", info.events},
+            {"runaways", info.runaways},
+            {"late_messages", info.late_messages},
+            {"commands", counts.commands},
+            {"late_commands", counts.late},
+            {"refused_commands", counts.refused},
+            {"hash", hex(info.hash)}};
+}
+
+}  // namespace
+
+void run_stage(const StageArguments &a)
+{
+    constexpr int frames_between_releases = 250;
+    Progress progress("claque");
+    for (const std::string &path : {a.record, a.json, a.out.empty() ? "" : frame_path(a.out, 0)})
+        if (!path.empty()) expect_writable(path);
+    progress.phase("preparing");
+    scenes::Library library(thread_count(a.setup));
+    Staging staging(library, a);
+    std::optional<RunRecord> record;
+    clq_crowd *crowd = staging.scene->crowd();
+    if (!a.record.empty()) record.emplace(a.record), record->begin(crowd);
+    const int last = static_cast<int>(a.seconds * a.fps + 1e-9);
+    for (int frame = 0; frame <= last; ++frame) {
+        const double time_s = frame / a.fps;
+        if (is_drawn(a, frame)) {
+            staging.renderer->update(time_s);
+            write_picture(a, *staging.renderer, frame);
+        } else {
+            staging.scene->place(time_s);
+            scenes::check(clq_crowd_update(crowd, time_s, nullptr, 0));
+        }
+        if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(crowd, nullptr));
+        progress.step(static_cast<size_t>(frame) + 1, static_cast<size_t>(last) + 1);
+    }
+    staging.scene->rest();
+    Json report = report_of(a, staging.scene->run(), last + 1);
+    if (record) {
+        const clq_recording_info info = record->end();
+        report["record"] = {{"file", a.record},
+                            {"bytes", info.bytes},
+                            {"calls", info.calls},
+                            {"steps", info.steps},
+                            {"pieces", info.tracks}};
+    }
+    report["warnings"] = library.warnings();
+    if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
+    progress.conclude(a.setup.scenario + ": " + std::to_string(last + 1) + " frames, " + report["decisions"].dump() +
+                      " decisions");
+}
+
+}  // namespace cli

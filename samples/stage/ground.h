@@ -1,0 +1,23 @@
+// The navigation of a run: what people walk on, with doors.
+#pragma once
+
+#include <claque/navigation.h>
+
+#include <memory>
+
+#include "samples/stage/setting.h"
+
+namespace staged
+{
+
+struct DestroyStage {
+    void operator()(clq_navigation *p) const { clq_navigation_destroy(p); }
+    void operator()(clq_stage *p) const { clq_stage_destroy(p); }
+};
+using OwnNavigation = std::unique_ptr<clq_navigation, DestroyStage>;
+using OwnStage = std::unique_ptr<clq_stage, DestroyStage>;
+
+// Null where the scenario has no ground. Throws Failure with the place in the scenario.
+OwnNavigation make_navigation(const Setting &setting, const scenes::Staging &stage);
+
+}  // namespace staged

@@ -1,0 +1,97 @@
+#include "samples/stage/machines.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "samples/io/files.h"
+#include "samples/io/toml.h"
+#include "samples/io/toml_keys.h"
+
+namespace staged
+{
+
+using namespace scenes;
+
+namespace
+{
+
+bool has_key(const toml::node &node, std::string_view key)
+{
+    if (const toml::table *table = node.as_table()) {
+        for (const auto &[name, value] : *table)
+            if (name.str() == key || has_key(value, key)) return true;
+    } else if (const toml::array *list = node.as_array()) {
+        for (const toml::node &value : *list)
+            if (has_key(value, key)) return true;
+    }
+    return false;
+}
+
+// A section behind the last line, so that the lines before keep their numbers.
+std::string section_of(const std::vector<Place> &places)
+{
+    if (places.empty()) return "";
+    std::string text = "\n[places]\n";
+    for (const Place &place : places) {
+        std::string name;
+        for (const char c : place.name) name += (c == '"' || c == '\\' ? "\\" : "") + std::string(1, c);
+        char numbers[120];
+        std::snprintf(numbers, sizeof numbers, "[%.17e, %.17e, %.17e]", place.position[0], place.position[1],
+                      place.position[2]);
+        text += "\"" + name + "\" = " + numbers + "\n";
+    }
+    return text;
+}
+
+// The text as it stands, if it has places of its own or cannot be read: the stage says what is wrong with it.
+std::string with_places(const std::string &text, const std::vector<Place> &places, bool &goes)
+{
+    goes = false;
+    if (io::line_of_deep_key(text) != 0) return text;
+    const toml::parse_result read = toml::parse(std::string_view(text));
+    if (!read) return text;
+    goes = has_key(read.table(), "go");
+    return read.table().contains("places") ? text : text + section_of(places);
+}
+
+Machine add_machine(clq_stage *stage, const std::string &path, const std::vector<Place> &places, const People &people,
+                    const std::vector<size_t> &members)
+{
+    std::string text;
+    const std::string wrong = io::read_whole(path, text);
+    if (!wrong.empty()) throw Failure(wrong);
+    Machine made;
+    text = with_places(text, places, made.goes);
+    std::vector<const clq_template *> templates;
+    std::vector<const clq_locomotion *> locomotions;
+    for (const size_t member : members) {
+        const walkers::Member &one = people.cast()[member];
+        if (std::find(templates.begin(), templates.end(), one.tmpl) != templates.end()) continue;
+        templates.push_back(one.tmpl);
+        locomotions.push_back(one.locomotion.get());
+    }
+    clq_machine_def def = clq_machine_def_init();
+    def.source.text = text.data(), def.source.text_bytes = text.size(), def.source.name = path.c_str();
+    def.template_count = static_cast<uint32_t>(templates.size());
+    def.templates = templates.data(), def.locomotions = locomotions.data();
+    check(clq_stage_add_machine(stage, &def, &made.id));
+    return made;
+}
+
+}  // namespace
+
+std::map<std::string, Machine> add_machines(clq_stage *stage, const Staging &described, const People &people)
+{
+    std::map<std::string, Machine> made;
+    for (const ScenarioAgents &first : described.agents) {
+        if (made.count(first.machine)) continue;
+        std::vector<size_t> members;
+        for (const ScenarioAgents &each : described.agents)
+            if (each.machine == first.machine) members.push_back(each.member);
+        made[first.machine] = asked_at(
+            first.machine_at, [&] { return add_machine(stage, first.machine, described.places, people, members); });
+    }
+    return made;
+}
+
+}  // namespace staged

@@ -1,0 +1,74 @@
+#include "samples/stage/people.h"
+
+#include <algorithm>
+
+#include "samples/scenes/random.h"
+
+namespace staged
+{
+
+using namespace scenes;
+
+namespace
+{
+
+// A track that was over before the run began: its actor is nowhere.
+walkers::OwnTrack past(const walkers::Member &member)
+{
+    clq_track_point points[2] = {};
+    points[0].time_s = -1001, points[1].time_s = -1000;
+    clq_track_def def = clq_track_def_init();
+    def.points = points, def.point_count = 2;
+    clq_track *made = nullptr;
+    check(clq_track_create(member.locomotion.get(), &def, &made));
+    return walkers::OwnTrack(made);
+}
+
+}  // namespace
+
+People::People(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, bool walk)
+    : crowd_(library, crowd_options)
+{
+    for (const SocialClass &one : scenario.characters) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
+    for (const walkers::Member &member : cast_) away_.push_back(past(member));
+    const std::vector<ScenarioAgents> &agents = scenario.stage->agents;
+    for (size_t i = 0; i < agents.size(); ++i)
+        for (uint32_t k = 0; k < agents[i].count; ++k) {
+            const uint64_t number = all_.size();
+            Person person;
+            person.agents = i, person.member = agents[i].member;
+            person.seed = random_bits(crowd_options.seed, number, Purpose::act);
+            const double size = random_between(crowd_options.seed, number, Purpose::size, 0.95, 1.05);
+            person.scale = static_cast<float>(cast_[person.member].scale * size);
+            enter(person, walk);
+        }
+}
+
+void People::enter(Person &person, bool walk)
+{
+    const walkers::Member &member = cast_[person.member];
+    clq_transform place = clq_transform_init();
+    place.scale = person.scale;
+    const SceneCrowd::Part part = {member.tmpl, place, clq_play_init()};
+    if (member.described.palette.empty()) crowd_.enter(part);
+    else crowd_.enter(part, person.seed, ranges_of(member.tmpl, member.described));
+    person.actor = crowd_.actors().back();
+    all_.push_back(person);
+    if (walk) send_away(all_.size() - 1);
+}
+
+void People::send_away(size_t person)
+{
+    const Person &one = all_[person];
+    check(clq_actor_follow_track(crowd_.crowd(), one.actor, away_[one.member].get(), 0));
+}
+
+std::vector<clq_template *> People::templates() const
+{
+    std::vector<clq_template *> all;
+    for (const walkers::Member &member : cast_)
+        if (std::find(all.begin(), all.end(), member.tmpl) == all.end()) all.push_back(member.tmpl);
+    return all;
+}
+
+}  // namespace staged

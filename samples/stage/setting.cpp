@@ -1,0 +1,11 @@
+#include "samples/stage/setting.h"
+
+namespace staged
+{
+
+std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed)
+{
+    return make_area_setting(library, scenario, seed);
+}
+
+}  // namespace staged

@@ -1,0 +1,44 @@
+// What people who decide stand in: the ground that they walk on, and scenery that is drawn without them.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "samples/scenes/light.h"
+#include "samples/scenes/scenario/scenario.h"
+
+namespace staged
+{
+
+// What can be walked on, and what is in the way. Metres, y up.
+struct Floor {
+    std::vector<double> vertices;     // three numbers each
+    std::vector<uint32_t> triangles;  // counter-clockwise seen from where people could stand on them
+    struct Obstacle {
+        scenes::Outline outline;
+        double low_m, high_m;
+    };
+    std::vector<Obstacle> obstacles;
+};
+
+class Setting
+{
+public:
+    virtual ~Setting() = default;
+
+    virtual void add_floor(Floor &out) const = 0;
+    virtual clq_camera camera(scenes::Shot shot, double aspect) const = 0;
+    virtual scenes::Daylight light() const = 0;
+    // The height on which shadows fall.
+    virtual double shadows_at_m() const { return 0; }
+    // As those of scenes::Scene.
+    virtual void prepare(const scenes::Gl &gl) = 0;
+    virtual void draw(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
+};
+
+// The setting that a scenario has. Throws Failure.
+std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
+
+std::unique_ptr<Setting> make_area_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
+
+}  // namespace staged

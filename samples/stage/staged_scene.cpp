@@ -1,0 +1,76 @@
+#include "samples/stage/staged_scene.h"
+
+#include "samples/scenes/shadows.h"
+#include "samples/stage/door_leaves.h"
+
+namespace staged
+{
+
+using namespace scenes;
+
+namespace
+{
+
+class Staged final : public StagedScene, public SocialClasses
+{
+public:
+    Staged(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, const StageOptions &options)
+        : setting_(make_setting(library, scenario, crowd_options.seed)),
+          run_(library, crowd_options, scenario, *setting_, options.run),
+          leaves_(scenario.stage->doors),
+          flows_(run_, options.apart)
+    {
+        for (const Person &person : run_.people().all()) classes_.push_back(scenario.characters[person.member].name);
+    }
+
+    Run &run() override { return run_; }
+    void rest() override { flows_.rest(); }
+    clq_crowd *crowd() const override { return run_.crowd(); }
+    std::vector<clq_actor> actors() const override { return run_.people().actors(); }
+    std::string class_of(size_t who) const override { return classes_[who]; }
+    std::vector<clq_template *> templates() const override { return run_.people().templates(); }
+    clq_camera camera(Shot shot, double aspect, double) const override { return setting_->camera(shot, aspect); }
+
+    void place(double time_s) override
+    {
+        flows_.reach(time_s);
+        run_.show(time_s);
+    }
+
+    bool take_shadows(clq_shadow_def &def) override
+    {
+        def = shadows_in(setting_->light());
+        def.plane_height = setting_->shadows_at_m();
+        return true;
+    }
+
+    void prepare(const Gl &gl) override { setting_->prepare(gl); }
+
+    void draw_environment(const Gl &gl, const Eye &eye) const override
+    {
+        setting_->draw(gl, eye);
+        leaves_.draw(gl, [this](size_t door) { return run_.is_door_open(door); });
+    }
+
+private:
+    std::unique_ptr<Setting> setting_;
+    Run run_;
+    DoorLeaves leaves_;
+    std::vector<std::string> classes_;
+    Flows flows_;  // the last one: its thread uses all above
+};
+
+}  // namespace
+
+std::unique_ptr<StagedScene> make_staged(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario,
+                                         const StageOptions &options)
+{
+    return std::make_unique<Staged>(library, crowd_options, scenario, options);
+}
+
+std::unique_ptr<Scene> make_scenario(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)
+{
+    return make_staged(library, crowd_options, scenario, {});
+}
+
+}  // namespace staged
