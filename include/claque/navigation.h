@@ -195,7 +195,8 @@ CLQ_API clq_status clq_walkers_add(clq_walkers *walkers, const clq_walker_def *d
 /* Removes a walker. Its last piece stays. Fails: ARGUMENT, STALE_ID. */
 CLQ_API clq_status clq_walkers_remove(clq_walkers *walkers, clq_walker walker);
 
-/* Sends a walker to a goal: it goes as near as it can, and has arrived within near_m. Replaces its goal.
+/* Sends a walker to a goal: it goes as near as it can, and has arrived within near_m, or behind others that stand
+ * there. Replaces its goal.
  *   near_m      [0.05, 100]
  *   speed_m_s   [0, 8] 0: its own
  * Fails: ARGUMENT (no ground within 2 m of the goal), STALE_ID. */
@@ -206,7 +207,7 @@ CLQ_API clq_status clq_walker_go(clq_walkers *walkers, clq_walker walker, const 
 CLQ_API clq_status clq_walker_stop(clq_walkers *walkers, clq_walker walker);
 
 typedef enum clq_walker_state {
-    CLQ_WALKER_STANDS = 0, /* it has no goal; others may push it a little */
+    CLQ_WALKER_STANDS = 0, /* it has no goal. It makes room for those who cannot pass, and comes back */
     CLQ_WALKER_WAITS = 1,  /* for its way to be found */
     CLQ_WALKER_WALKS = 2,
     CLQ_WALKER_ARRIVED = 3,

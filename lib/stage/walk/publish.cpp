@@ -63,7 +63,8 @@ void Walkers::publish(uint32_t i)
 void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
 {
     const dtCrowdAgent &a = agent(i);
-    const bool walks = bodies_[i].state == CLQ_WALKER_WALKS && a.ncorners > 0;
+    const bool walks =
+        bodies_[i].state == CLQ_WALKER_WALKS && a.targetState == DT_CROWDAGENT_TARGET_VALID && a.ncorners > 0;
     const float speed = length_of(a.vel[0], a.vel[2]);
     Float3 at = {a.npos[0], a.npos[1], a.npos[2]};
     int corner = 0;

@@ -100,7 +100,7 @@ void Walkers::walk_body(Archive &archive, uint32_t i, const std::vector<const cl
     dtCrowdAgent &a = agent(i);
     walk_agent(archive, a);
     number_of_enum(archive, body.state, CLQ_WALKER_BLOCKED);
-    floats(archive, body.goal.data(), 3), floats(archive, body.end.data(), 3);
+    floats(archive, body.goal.data(), 3), floats(archive, body.end.data(), 3), floats(archive, body.aim, 2);
     numbers(archive, body.goal_ref, body.near_m, body.own_speed, body.speed, body.complete, body.cut, body.heading_rad,
             body.scale, body.seed, body.piece_end_s, body.border);
     number_of_enum(archive, body.pull, Body::Pull::from);
@@ -145,8 +145,9 @@ void Walkers::check_saved(uint32_t i) const
     bool good = a.params.radius >= 0.05f && a.params.radius <= def_.max_radius_m && body.speed > 0 && body.speed <= 8 &&
                 a.params.maxAcceleration > 0 && a.params.maxAcceleration <= 50 &&
                 a.params.queryFilterType <= everything_filter && body.near_m > 0 && body.scale > 0;
-    good = good && (a.targetState == DT_CROWDAGENT_TARGET_NONE || a.targetState == DT_CROWDAGENT_TARGET_VALID);
-    good = good && (a.targetState == DT_CROWDAGENT_TARGET_NONE || mesh_.nav->isValidPolyRef(a.targetRef));
+    const bool no_way = a.targetState == DT_CROWDAGENT_TARGET_NONE || a.targetState == DT_CROWDAGENT_TARGET_VELOCITY;
+    good = good && (no_way || a.targetState == DT_CROWDAGENT_TARGET_VALID);
+    good = good && (no_way || mesh_.nav->isValidPolyRef(a.targetRef));
     for (int k = 0; k < a.nneis; ++k)
         good = good && a.neis[k].idx >= 0 && static_cast<size_t>(a.neis[k].idx) < bodies_.size();
     good = good && a.params.maxSpeed > 0 && a.params.maxSpeed <= 8;
@@ -156,7 +157,8 @@ void Walkers::check_saved(uint32_t i) const
     for (const float *vector :
          {a.npos, a.vel, a.nvel, a.dvel, a.targetPos, body.goal.data(), body.end.data(), a.corridor.getTarget()})
         for (int k = 0; k < 3; ++k) good = good && std::fabs(vector[k]) < 1e6f;
-    for (const float x : {a.topologyOptTime, a.targetReplanTime, a.desiredSpeed}) good = good && std::fabs(x) < 1e9f;
+    for (const float x : {a.topologyOptTime, a.targetReplanTime, a.desiredSpeed, body.aim[0], body.aim[1]})
+        good = good && std::fabs(x) < 1e9f;
     double before_s = -max_clock_s;
     for (const clq_track_point &point : body.points) {
         good = good && point.time_s > before_s && point.time_s <= time_s();

@@ -26,7 +26,7 @@ void Walkers::step()
     see_doors();
     plan_ways();
     for (uint32_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].used()) keep_distance(i);
+        if (bodies_[i].used()) keep_distance(i), make_room(i);
     crowd_->update(static_cast<float>(def_.tick_s), nullptr);
     ++ticks_;
     for (uint32_t i = 0; i < bodies_.size(); ++i)
@@ -75,13 +75,33 @@ void Walkers::look_round(uint32_t i)
         }
     }
     if (body.state != CLQ_WALKER_WALKS) return;
-    if (body.complete && between(a.npos, body.goal) <= body.near_m) {
-        body.state = CLQ_WALKER_ARRIVED;
-        crowd_->resetMoveTarget(static_cast<int>(i));
-    } else if (!body.complete && between(a.npos, body.end) <= std::max(body.near_m, end_reach_m)) {
-        body.state = body.cut ? CLQ_WALKER_WAITS : CLQ_WALKER_BLOCKED;
-        crowd_->resetMoveTarget(static_cast<int>(i));
+    aim(i);
+    if (body.complete && (between(a.npos, body.goal) <= body.near_m || others_are_there(i)))
+        rest(i, CLQ_WALKER_ARRIVED);
+    else if (!body.complete && between(a.npos, body.end) <= std::max(body.near_m, end_reach_m))
+        rest(i, body.cut ? CLQ_WALKER_WAITS : CLQ_WALKER_BLOCKED);
+}
+
+// Where its way goes: to the next corner that is not beneath its feet.
+void Walkers::aim(uint32_t i)
+{
+    const dtCrowdAgent &a = agent(i);
+    if (a.targetState != DT_CROWDAGENT_TARGET_VALID) return;
+    float x = 0, z = 0, length = 0;
+    for (int k = 0; k < a.ncorners && !(length > a.params.radius); ++k) {
+        x = a.cornerVerts[3 * k] - a.npos[0], z = a.cornerVerts[3 * k + 2] - a.npos[2];
+        length = length_of(x, z);
     }
+    if (length > 0) bodies_[i].aim[0] = x / length, bodies_[i].aim[1] = z / length;
+}
+
+void Walkers::rest(uint32_t i, clq_walker_state state)
+{
+    const dtCrowdAgent &a = agent(i);
+    bodies_[i].state = state;
+    bodies_[i].aim[0] = bodies_[i].aim[1] = 0;
+    bodies_[i].end = {a.npos[0], a.npos[1], a.npos[2]};
+    crowd_->resetMoveTarget(static_cast<int>(i));
 }
 
 void Walkers::record(uint32_t i)

@@ -116,6 +116,7 @@ clq_walker Walkers::add(const clq_walker_def &def)
     body.locomotion = def.locomotion, body.scale = def.scale, body.seed = def.seed;
     body.heading_rad = def.heading_rad, body.own_speed = body.speed = def.speed_m_s;
     body.points = std::move(points);
+    body.goal = body.end = place;
     body.piece_end_s = time_s();
     body.border = first_border(static_cast<uint32_t>(i));
     ++count_;
@@ -166,10 +167,13 @@ void Walkers::go(clq_walker id, const double goal[3], float near_m, float speed_
 void Walkers::stop(clq_walker id)
 {
     const uint32_t i = index_of(id);
-    bodies_[i].state = CLQ_WALKER_STANDS;
-    return_to_ground(bodies_[i]);
-    bodies_[i].heading_rad = NAN;
-    crowd_->resetMoveTarget(static_cast<int>(i));
+    Body &body = bodies_[i];
+    return_to_ground(body);
+    const float *at = agent(i).npos;
+    if (!rests(body)) body.goal = {at[0], at[1], at[2]};
+    if (!rests(body)) rest(i, CLQ_WALKER_STANDS);
+    body.state = CLQ_WALKER_STANDS;
+    body.heading_rad = NAN;
 }
 
 void Walkers::rest_at(clq_walker id, float heading_rad) { bodies_[index_of(id)].heading_rad = heading_rad; }

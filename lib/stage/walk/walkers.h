@@ -27,7 +27,8 @@ constexpr unsigned char open_filter = 0, everything_filter = 1;
 struct Body {
     uint32_t generation = 0;  // odd while it is used
     clq_walker_state state = CLQ_WALKER_STANDS;
-    Float3 goal{}, end{};  // end: of the way that was found
+    Float3 goal{}, end{};  // end: of the way that was found; of a walker that rests, its place
+    float aim[2] = {};     // x and z: where its way goes now; 0: nowhere
     dtPolyRef goal_ref = 0;
     float near_m = 0.3f, own_speed = 1, speed = 1;  // speed: of the present goal
     bool complete = true;                           // the way leads to the goal
@@ -46,6 +47,11 @@ struct Body {
     uint32_t border = 0;                // its pieces end at the ticks that leave this remainder
 
     bool used() const { return generation & 1; }
+};
+
+// One who wants to pass: the direction in which it goes, and where a place lies from it.
+struct Passing {
+    float x, z, ahead, aside;
 };
 
 // Whether it looks where it was told to.
@@ -97,8 +103,17 @@ private:
     void plan_ways();
     void plan(uint32_t i);
     void keep_distance(uint32_t i);
+    void make_room(uint32_t i);
+    bool wants_to_pass(uint32_t k, const Float3 &place, float radius, float slower_than, Passing &out) const;
+    bool one_can_go_round(uint32_t i, const Passing &passing, float bodies) const;
+    float room_towards(uint32_t i, float x, float z, float reach) const;
+    void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
+    void go_back(uint32_t i, bool went_back);
     // After it.
     void look_round(uint32_t i);
+    void aim(uint32_t i);
+    void rest(uint32_t i, clq_walker_state state);
+    bool others_are_there(uint32_t i) const;
     void record(uint32_t i);
     void return_to_ground(Body &body) const;
     void show(uint32_t i, const float *place, double time_s, double out[3]) const;

@@ -268,6 +268,24 @@ TEST_F(Movement, ThatHasSettledGoesOnFromWhereItWas)
     EXPECT_LT(std::hypot(before.position[0] - 6, before.position[2] - 3), 0.6);
 }
 
+TEST_F(Movement, ThatMakesRoomHasTheSameFutureWhenItIsRestored)
+{
+    for (int at = 90; at <= 150; at += 6) {  // before the other one steps aside, meanwhile, and on its way back
+        const auto movement = make();
+        movement->add(0, walker(8.1, 3), 0);
+        movement->add(1, walker(4, 3), 0);
+        movement->go(1, goal(12, 3, 1), 0);
+        run(*movement, 0, at);
+        std::vector<uint8_t> bytes;
+        movement->save(bytes);
+        const auto restored = make();
+        restored->restore(bytes.data(), bytes.size());
+        const std::vector<std::string> future = run(*movement, at, at + 150);
+        EXPECT_EQ(run(*restored, at, at + 150), future) << at;
+        EXPECT_GT(future.size(), 16u);
+    }
+}
+
 TEST_F(Movement, ThatSettlesHasTheSameFutureWhenItIsRestored)
 {
     for (const int at : {40, 62, 75, 88, 140}) {  // on its way, beside the ground, before and after it left its track

@@ -102,7 +102,8 @@ TEST_F(Published, PiecesFollowEachOtherWithoutGapOrJump)
         }
     }
     std::printf("walkers: their tracks are at most %.3f m beside them\n", farthest);
-    EXPECT_LT(farthest, 0.25);
+    // One that stands and drifts takes a step after 0.25 m (docs/tracks.md); what makes room is smoothed, too.
+    EXPECT_LT(farthest, 0.29);
     EXPECT_GT(count, 15u * 38);
 }
 
