@@ -89,6 +89,13 @@ void town_hall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, cons
     throw_box(shadows, site, turret, y, y + 17.3, y + 22);
 }
 
+// On the square; front 1: to the south, -1: to the north.
+Site site_on(const Plan &plan, double u, double v, double front)
+{
+    const Point east = plan.east(u, v), out = {-east.z, east.x};
+    return Site(plan.at(u, v), front > 0 ? out : Point{-out.x, -out.z});
+}
+
 }  // namespace
 
 SquarePlan square_plan(const Plan &plan)
@@ -98,20 +105,54 @@ SquarePlan square_plan(const Plan &plan)
     return {u - 22, b.v0 + 22, u + 22, b.v0 + 9, u, b.v0 + 55};
 }
 
-void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed)
+std::vector<Site> stall_sites(const Plan &plan, Trade trade)
+{
+    constexpr double first_u = 8.0, gap_u = 5.2, edge_m = 3;
+    struct Row {
+        double v, front;  // from the fountain; front 1: to the south
+    };
+    constexpr Row rows[] = {{-9, 1}, {1.5, -1}, {4.7, 1}, {15.2, -1}};
+    const SquarePlan s = square_plan(plan);
+    std::vector<Site> sites;
+    const auto add = [&](double u, const Row &row) {
+        if (s.fountain_v + row.v + edge_m > plan.square().v1) return;
+        sites.push_back(site_on(plan, u, s.fountain_v + row.v, row.front));
+    };
+    for (const Row &row : {rows[0], rows[1]})
+        for (int i = 0; i < 4; ++i) add(s.fountain_u + first_u + gap_u * i, row);
+    if (trade == Trade::ordinary) return sites;
+    for (const Row &row : {rows[2], rows[3]})
+        for (int i = 0; i < 4; ++i) add(s.fountain_u + first_u + gap_u * i, row);
+    for (const Row &row : rows)
+        for (int i = 0; i < 4; ++i) add(s.fountain_u - first_u - gap_u * i, row);
+    return sites;
+}
+
+std::vector<Footprint> landmark_footprints(const Plan &plan, Trade trade)
 {
     const SquarePlan s = square_plan(plan);
-    const auto site = [&](double u, double v, double turn) {
-        const Point east = plan.east(u, v), out = {-east.z, east.x};
-        return Site(plan.at(u, v), turn > 0 ? out : Point{-out.x, -out.z});
-    };
-    church(pieces, shadows, terrain, site(s.church_u, s.church_v, 1));
-    town_hall(pieces, shadows, terrain, site(s.hall_u, s.hall_v, 1));
-    build_fountain(pieces, shadows, terrain, plan.at(s.fountain_u, s.fountain_v));
-    for (uint64_t i = 0; i < 8; ++i) {
-        const double u = s.fountain_u + 8.0 + 5.2 * static_cast<double>(i % 4), v = s.fountain_v + (i < 4 ? -9 : 1.5);
-        build_stall(pieces, shadows, terrain, site(u, v, i < 4 ? 1 : -1), seed, i);
+    const Site church_site = site_on(plan, s.church_u, s.church_v, 1), hall = site_on(plan, s.hall_u, s.hall_v, 1);
+    std::vector<Footprint> all = {{church_site, -6.5, 6.5, -15, 11},
+                                  {church_site, -4, 4, -21, -15},
+                                  {church_site, 6.2, 13.2, 4.5, 11.5},
+                                  {church_site, -7.5, 7.5, -13, 6},
+                                  {hall, -13.65, 13.65, -6.15, 6.15}};
+    for (const Site &stall : stall_sites(plan, trade)) {
+        all.push_back({stall, -1.55, 1.55, 0.1, 0.97});
+        for (const double along : {-1.5, 1.5}) all.push_back({stall, along - 0.06, along + 0.06, -0.97, -0.83});
     }
+    return all;
+}
+
+void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed,
+                     Trade trade)
+{
+    const SquarePlan s = square_plan(plan);
+    church(pieces, shadows, terrain, site_on(plan, s.church_u, s.church_v, 1));
+    town_hall(pieces, shadows, terrain, site_on(plan, s.hall_u, s.hall_v, 1));
+    build_fountain(pieces, shadows, terrain, plan.at(s.fountain_u, s.fountain_v));
+    uint64_t number = 0;
+    for (const Site &site : stall_sites(plan, trade)) build_stall(pieces, shadows, terrain, site, seed, number++);
     build_bridge(pieces, plan, terrain);
 }
 

@@ -16,11 +16,25 @@ struct SquarePlan {
 };
 SquarePlan square_plan(const Plan &plan);
 
+// On ordinary days there are eight stalls on the square; on market days, as many rows as there is room for.
+enum class Trade : uint8_t { ordinary, market_day };
+// Behind the front of a stall stands its seller, at out = -0.45; before its table, from out = 1.1 on, those who buy.
+std::vector<Site> stall_sites(const Plan &plan, Trade trade);
+
+// The ground plan of something that nothing walks through.
+struct Footprint {
+    Site site;
+    double along0, along1, out0, out1;
+};
+// Of everything that build_landmarks builds on the square.
+std::vector<Footprint> landmark_footprints(const Plan &plan, Trade trade);
+
 void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, Point at);
 void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
                  uint64_t who);
 void build_bridge(Pieces &pieces, const Plan &plan, const Terrain &terrain);
 // Builds all of them.
-void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed);
+void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed,
+                     Trade trade);
 
 }  // namespace scenes::town

@@ -34,8 +34,9 @@ void throw_shadow(SunShadows &shadows, const House &h, const Terrain &terrain)
 
 }  // namespace
 
-Town::Town(uint64_t seed)
+Town::Town(uint64_t seed, Trade trade)
     : seed_(seed),
+      trade_(trade),
       plan_(seed),
       terrain_(plan_, seed),
       houses_(place_houses(plan_, seed)),
@@ -50,7 +51,7 @@ Town::Town(uint64_t seed)
         build_house(pieces_, house, terrain_, seed);
         throw_shadow(shadows, house, terrain_);
     }
-    build_landmarks(pieces_, shadows, plan_, terrain_, seed);
+    build_landmarks(pieces_, shadows, plan_, terrain_, seed, trade);
     plant_hedges(pieces_, plan_, terrain_, houses_, seed);
     for (const Tree &tree : trees_) grow_tree(pieces_, shadows, tree, terrain_, seed);
 }

@@ -20,10 +20,11 @@ namespace scenes::town
 class Town
 {
 public:
-    explicit Town(uint64_t seed);
+    explicit Town(uint64_t seed, Trade trade = Trade::ordinary);
 
     // Metres; the ground as it is drawn.
     double height(double x, double z) const { return terrain_.height(x, z); }
+    Trade trade() const { return trade_; }
     const Plan &plan() const { return plan_; }
     const Terrain &terrain() const { return terrain_; }
     const std::vector<House> &houses() const { return houses_; }
@@ -42,6 +43,7 @@ public:
 
 private:
     uint64_t seed_;
+    Trade trade_;
     Plan plan_;
     Terrain terrain_;
     std::vector<House> houses_;
