@@ -86,7 +86,8 @@ void check_piece(const Locomotion &locomotion, base::Span<const Point> points, c
     const double last_s = points[points.count - 1].time_s;
     const double start_s = previous ? end_of(*previous) : points[0].time_s;
     const double end_s = std::min(settings.end_s, last_s);
-    if (!(end_s >= start_s + min_piece_s))
+    constexpr double rounding_s = 1e-6;
+    if (!(end_s >= start_s + min_piece_s - rounding_s))
         fail(CLQ_ARGUMENT, "a piece of a track goes from %.9g s to %.9g s: it must be %g s long at least", start_s,
              end_s, min_piece_s);
     if (!previous) return;

@@ -14,7 +14,8 @@ Shown::~Shown() { clear(); }
 
 void Shown::clear()
 {
-    for (Row &row : rows) clq_track_destroy(row.track);
+    for (Row &row : rows)
+        for (clq_track *track : row.tracks) clq_track_destroy(track);
     rows.clear();
     masks.clear();
 }
@@ -166,7 +167,9 @@ clq_status Shown::follow(Command &command, clq_crowd *crowd)
                                   : clq_actor_leave_track(crowd, command.actor, command.at_s);
     if (status != CLQ_OK) return status;
     // The command's hold becomes the row's; the caller ends the one that is left in the command.
-    std::swap(rows[command.agent].track, command.track);
+    clq_track *(&tracks)[CLQ_TRACK_PIECES] = rows[command.agent].tracks;
+    std::rotate(tracks, tracks + 1, tracks + CLQ_TRACK_PIECES);
+    std::swap(tracks[CLQ_TRACK_PIECES - 1], command.track);
     return CLQ_OK;
 }
 

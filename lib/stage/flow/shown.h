@@ -24,7 +24,8 @@ public:
     static constexpr uint32_t max_gestures = 4;  // as many layers as an actor has
     struct Row {
         clq_layer gestures[max_gestures] = {};  // the newest last
-        clq_track *track = nullptr;             // a hold
+        // Holds of the pieces that the actor may show, the newest last: a crowd that is restored has to know them all.
+        clq_track *tracks[CLQ_TRACK_PIECES] = {};
     };
     struct MaskOf {
         const Machine *machine;

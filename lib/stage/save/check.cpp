@@ -53,7 +53,8 @@ public:
         for (const SavedCommand &one : saved_.commands) command(one);
         must(saved_.rows.size() <= saved_.agents.size(), "more actors than agents");
         for (size_t i = 0; i < saved_.rows.size(); ++i)
-            must(saved_.rows[i].track.empty() || locomotion_of(static_cast<uint32_t>(i)), "an actor walks that cannot");
+            for (const std::vector<uint8_t> &track : saved_.rows[i].tracks)
+                must(track.empty() || locomotion_of(static_cast<uint32_t>(i)), "an actor walks that cannot");
         for (const SavedMask &one : saved_.masks) mask(one.machine, one.cast, one.mask);
         must(saved_.movement.empty() == (director_.movement == nullptr), "its agents walk otherwise");
     }

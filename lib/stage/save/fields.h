@@ -71,15 +71,17 @@ void fields(Archive &archive, SavedCommand &saved)
 
 struct SavedRow {
     uint32_t gestures[Shown::max_gestures] = {};
-    std::vector<uint8_t> track;
+    std::vector<uint8_t> tracks[CLQ_TRACK_PIECES];
 };
 
 template <class Archive>
 void fields(Archive &archive, SavedRow &row)
 {
     for (uint32_t &gesture : row.gestures) archive.number(gesture);
-    list(archive, row.track, 1, [](uint8_t &) {});
-    archive.raw(row.track);
+    for (std::vector<uint8_t> &track : row.tracks) {
+        list(archive, track, 1, [](uint8_t &) {});
+        archive.raw(track);
+    }
 }
 
 struct SavedMask {
@@ -139,7 +141,7 @@ void fields(Archive &archive, SavedStage &all)
     numbers(archive, all.next_order, all.scheduler_tick, all.unit_us, all.tick, all.crowd_changed, all.transitions,
             all.events, all.command_count, all.late_messages, all.runaways, all.hash);
     list(archive, all.commands, least_command, each);
-    list(archive, all.rows, 24, each);
+    list(archive, all.rows, 48, each);
     list(archive, all.masks, 16, each);
     archive.number(all.shown_s);
     list(archive, all.movement, 1, [](uint8_t &) {});

@@ -48,7 +48,8 @@ void put_back(SavedStage &&saved, Director &director, Shown &shown, clq_crowd *c
     std::vector<Shown::Row> rows(saved.rows.size());
     for (size_t i = 0; i < rows.size(); ++i) {
         for (uint32_t k = 0; k < Shown::max_gestures; ++k) rows[i].gestures[k] = {saved.rows[i].gestures[k]};
-        rows[i].track = tracks.load(locomotion_of(static_cast<uint32_t>(i)), saved.rows[i].track);
+        for (uint32_t k = 0; k < CLQ_TRACK_PIECES; ++k)
+            rows[i].tracks[k] = tracks.load(locomotion_of(static_cast<uint32_t>(i)), saved.rows[i].tracks[k]);
     }
     std::vector<Shown::MaskOf> masks;
     for (const SavedMask &one : saved.masks)

@@ -82,7 +82,7 @@ SavedStage snapshot(const Director &director, const Shown &shown)
     for (const Shown::Row &row : shown.rows) {
         SavedRow saved;
         for (uint32_t i = 0; i < Shown::max_gestures; ++i) saved.gestures[i] = row.gestures[i].index1;
-        save_track(row.track, saved.track);
+        for (uint32_t i = 0; i < CLQ_TRACK_PIECES; ++i) save_track(row.tracks[i], saved.tracks[i]);
         out.rows.push_back(std::move(saved));
     }
     for (const Shown::MaskOf &mask : shown.masks)
