@@ -20,6 +20,12 @@ void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
     c.add_option("--stride", a->range.stride, "Draw only every N-th frame")
         ->check(CLI::Range(1, 1000000))
         ->needs(frames);
+    c.add_option("--restore", a->restore, "Go on from a state that --save wrote, of the same scenario and seed")
+        ->type_name("FILE");
+    CLI::Option *save = c.add_option("--save", a->save, "Write the state of the run, for --restore")->type_name("FILE");
+    c.add_option("--at", a->at_s, "Seconds at which --save writes it (default: at the end)")
+        ->check(CLI::Range(0.0, 86400.0))
+        ->needs(save);
     c.add_option("--json", a->json, "Write what was decided and shown as JSON; - is standard output");
 }
 
@@ -40,6 +46,8 @@ void check_usage(StageArguments &a)
     if (a.seconds == 0) a.seconds = a.setup.described->stage->seconds;
     if (!(a.seconds > 0 && a.seconds <= 86400))
         throw CLI::ValidationError("--seconds", "must be above 0, and 86400 at most");
+    if (a.at_s > a.seconds)
+        throw CLI::ValidationError("--at", "is after the end of the run, at " + std::to_string(a.seconds) + " s");
     if (!a.frames.empty() && a.range.last > a.seconds * a.fps)
         throw CLI::ValidationError("--frames", "ends at " + std::to_string(a.range.last) + ", and the run has " +
                                                    std::to_string(static_cast<int>(a.seconds * a.fps)) + " frames");

@@ -30,7 +30,7 @@ struct Staging {
             own = options.make(library, options.crowd_options);
             return;
         }
-        options.shadows.form = scenes::ShadowChoice::Form::blob;
+        if (!a.setup.described->theatre) options.shadows.form = scenes::ShadowChoice::Form::blob;
         renderer.emplace(library, options);
     }
 
@@ -54,6 +54,19 @@ bool is_drawn(const StageArguments &a, int frame)
 {
     return !a.frames.empty() && frame >= a.range.first && frame <= a.range.last &&
            (frame - a.range.first) % a.range.stride == 0;
+}
+
+// The frame of the time at which the state was saved.
+int restore(const StageArguments &a, staged::StagedScene &scene)
+{
+    scenes::asked_at(a.restore, [&] { scene.restore(read_file(a.restore)); });
+    return std::max(0, static_cast<int>(scene.run().shown_s() * a.fps + 0.5));
+}
+
+void save(const StageArguments &a, staged::StagedScene &scene)
+{
+    const std::vector<uint8_t> bytes = scene.save();
+    write_whole(a.save, bytes.data(), bytes.size());
 }
 
 Json report_of(const StageArguments &a, staged::Run &run, int frames)
@@ -97,16 +110,18 @@ void run_stage(const StageArguments &a)
 {
     constexpr int frames_between_releases = 250;
     Progress progress("claque");
-    for (const std::string &path : {a.record, a.json, a.out.empty() ? "" : frame_path(a.out, 0)})
+    for (const std::string &path : {a.record, a.json, a.save, a.out.empty() ? "" : frame_path(a.out, 0)})
         if (!path.empty()) expect_writable(path);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
     Staging staging(library, a);
     std::optional<RunRecord> record;
     clq_crowd *crowd = staging.scene->crowd();
-    if (!a.record.empty()) record.emplace(a.record), record->begin(crowd);
+    const int first = a.restore.empty() ? 0 : restore(a, *staging.scene);
     const int last = static_cast<int>(a.seconds * a.fps + 1e-9);
-    for (int frame = 0; frame <= last; ++frame) {
+    const int saved = a.at_s < 0 ? last : static_cast<int>(a.at_s * a.fps + 1e-9);
+    if (!a.record.empty()) record.emplace(a.record), record->begin(crowd);
+    for (int frame = first; frame <= last; ++frame) {
         const double time_s = frame / a.fps;
         if (is_drawn(a, frame)) {
             staging.renderer->update(time_s);
@@ -116,10 +131,11 @@ void run_stage(const StageArguments &a)
             scenes::check(clq_crowd_update(crowd, time_s, nullptr, 0));
         }
         if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(crowd, nullptr));
-        progress.step(static_cast<size_t>(frame) + 1, static_cast<size_t>(last) + 1);
+        if (!a.save.empty() && frame == saved) save(a, *staging.scene);
+        progress.step(static_cast<size_t>(frame - first) + 1, static_cast<size_t>(last - first) + 1);
     }
     staging.scene->rest();
-    Json report = report_of(a, staging.scene->run(), last + 1);
+    Json report = report_of(a, staging.scene->run(), std::max(0, last + 1 - first));
     if (record) {
         const clq_recording_info info = record->end();
         report["record"] = {{"file", a.record},
@@ -130,7 +146,7 @@ void run_stage(const StageArguments &a)
     }
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
-    progress.conclude(a.setup.scenario + ": " + std::to_string(last + 1) + " frames, " + report["decisions"].dump() +
+    progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +
                       " decisions");
 }
 

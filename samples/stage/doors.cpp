@@ -38,11 +38,12 @@ public:
     {
         for (size_t i = 0; i < doors_.size(); ++i) out.put<uint64_t>(next_[i]), out.put<uint8_t>(is_open_[i]);
     }
-    void take(BytesIn &in) override
+    void take(Run &run, BytesIn &in) override
     {
         for (size_t i = 0; i < doors_.size(); ++i) {
             next_[i] = in.count(doors_[i].changes.size());
             is_open_[i] = in.take<uint8_t>() != 0;
+            scenes::check(clq_navigation_set_door(run.navigation(), static_cast<uint32_t>(i), is_open_[i]));
         }
     }
 

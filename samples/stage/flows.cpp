@@ -69,4 +69,12 @@ void Flows::rest()
     if (failure_) std::rethrow_exception(failure_);
 }
 
+void Flows::begin_again()
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    shown_s_ = -1;
+    next_end_s_ = run_.end_of_tick();
+    changed_.notify_all();
+}
+
 }  // namespace staged

@@ -23,6 +23,8 @@ public:
     void reach(double time_s);
     // Waits until decisions are the lead ahead of the time reached, where they rest.
     void rest();
+    // After rest() and a change of the run's time by the caller.
+    void begin_again();
 
 private:
     void work();

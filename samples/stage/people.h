@@ -30,6 +30,8 @@ public:
     std::vector<clq_template *> templates() const;
     // The actor of a person is nowhere from now on.
     void send_away(size_t person);
+    // The crowd as clq_crowd_save wrote it.
+    void restore(const std::vector<uint8_t> &crowd);
 
 private:
     void enter(Person &person, bool walk);

@@ -44,6 +44,13 @@ public:
     void show(double time_s);
     bool is_door_open(size_t door) const { return shown_doors_[door]; }
 
+    // The state of the run, its stage and its crowd; no flow may be at work meanwhile. A run of the same scenario, seed
+    // and characters that takes it goes on as this one does. restore() throws Failure on anything else; the run is then
+    // of no more use.
+    std::vector<uint8_t> save() const;
+    void restore(const std::vector<uint8_t> &bytes);
+    double shown_s() const { return shown_s_; }  // the time of the last show()
+
     clq_crowd *crowd() const { return people_.crowd(); }
     const People &people() const { return people_; }
     const scenes::Staging &stage() const { return described_; }
@@ -88,6 +95,8 @@ private:
     void serve();
     void deed(const Deed &one);
     void appear(const Deed &one);
+    void put_state(BytesOut &out) const;
+    void take_state(BytesIn &in);
     static void called(void *user, const clq_action_call *call);
 
     scenes::Staging described_;
@@ -108,6 +117,7 @@ private:
     std::vector<std::pair<Hook, Call>> calls_;
     uint64_t ticks_ = 0;
 
+    double shown_s_ = begin_s;
     mutable std::mutex mutex_;
     std::deque<Deed> deeds_;  // by time
     RunCounts counts_;

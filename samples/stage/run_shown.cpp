@@ -26,6 +26,7 @@ void Run::appear(const Deed &one)
 // Who appears does so before the first command; who vanishes does so after the last one.
 void Run::show(double time_s)
 {
+    shown_s_ = time_s;
     std::vector<Deed> due;
     {
         const std::lock_guard<std::mutex> lock(mutex_);

@@ -34,7 +34,7 @@ public:
 
     // What it remembers, for Run::save. take() throws Failure where the bytes are not what put() wrote.
     virtual void put(BytesOut &) const {}
-    virtual void take(BytesIn &) {}
+    virtual void take(Run &, BytesIn &) {}
 };
 
 // The services that a scenario needs: one line for each kind.

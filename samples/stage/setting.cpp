@@ -5,6 +5,7 @@ namespace staged
 
 std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed)
 {
+    if (scenario.theatre) return make_theatre_setting(library, scenario, seed);
     return make_area_setting(library, scenario, seed);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "samples/scenes/light.h"
@@ -29,8 +30,8 @@ public:
     virtual void add_floor(Floor &out) const = 0;
     virtual clq_camera camera(scenes::Shot shot, double aspect) const = 0;
     virtual scenes::Daylight light() const = 0;
-    // The height on which shadows fall.
-    virtual double shadows_at_m() const { return 0; }
+    // The height of the plane on which shadows fall; none: it is not level.
+    virtual std::optional<double> shadows_at_m() const { return 0; }
     // As those of scenes::Scene.
     virtual void prepare(const scenes::Gl &gl) = 0;
     virtual void draw(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
@@ -40,5 +41,7 @@ public:
 std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
 
 std::unique_ptr<Setting> make_area_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
+std::unique_ptr<Setting> make_theatre_setting(scenes::Library &library, const scenes::Scenario &scenario,
+                                              uint64_t seed);
 
 }  // namespace staged

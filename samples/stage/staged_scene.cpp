@@ -25,6 +25,17 @@ public:
 
     Run &run() override { return run_; }
     void rest() override { flows_.rest(); }
+    std::vector<uint8_t> save() override
+    {
+        flows_.rest();
+        return run_.save();
+    }
+    void restore(const std::vector<uint8_t> &bytes) override
+    {
+        flows_.rest();
+        run_.restore(bytes);
+        flows_.begin_again();
+    }
     clq_crowd *crowd() const override { return run_.crowd(); }
     std::vector<clq_actor> actors() const override { return run_.people().actors(); }
     std::string class_of(size_t who) const override { return classes_[who]; }
@@ -39,8 +50,10 @@ public:
 
     bool take_shadows(clq_shadow_def &def) override
     {
+        const std::optional<double> height_m = setting_->shadows_at_m();
+        if (!height_m) return false;
         def = shadows_in(setting_->light());
-        def.plane_height = setting_->shadows_at_m();
+        def.plane_height = *height_m;
         return true;
     }
 

@@ -1,0 +1,102 @@
+// The people of the evacuation leave by open doors, go through nobody and no stone, and are not seen afterwards.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/staged/staged_world.h"
+
+namespace staged_test
+{
+namespace
+{
+
+using namespace scenes;
+using Point = std::array<double, 3>;
+
+// The walls of the hall: half its size inside and outside, and its openings (samples/scenarios/evacuation/hall.wkt).
+bool is_in_stone(const Point &at)
+{
+    const double x = std::fabs(at[0]), z = at[2];
+    if (x > 12.6 || z > 0.6 || z < -14.6) return false;  // outside
+    if (x < 12 && z < 0 && z > -14) return false;        // inside
+    if (x < 1.5 && z > -0.1) return false;               // the opening to the south
+    return !(x > 11.9 && z < -6 && z > -7.8);            // the ones to the west and the east
+}
+
+struct Watched {
+    double nearest_m = HUGE_VAL;
+    size_t in_stone = 0, through_the_door = 0, late_in_the_hall = 0;
+};
+
+void watch(staged::Run &run, double time_s, std::vector<Point> &before, Watched &out)
+{
+    std::vector<Point> here;
+    for (uint32_t i = 0; i < run.people().all().size(); ++i) {
+        if (!run.is_here(i)) continue;
+        const Point at = run.place_of(i);
+        for (const Point &other : here)
+            out.nearest_m = std::min(out.nearest_m, std::hypot(at[0] - other[0], at[2] - other[2]));
+        here.push_back(at);
+        out.in_stone += is_in_stone(at);
+        // Over the threshold of the west door after it has closed and those within have walked out.
+        out.through_the_door += time_s > 26 && before[i][0] > -12.3 && at[0] <= -12.3;
+        before[i] = at;
+    }
+}
+
+TEST(Evacuation, EveryoneLeavesThroughNobodyAndNoStone)
+{
+    World world(evacuation(55, 45), 1, false);
+    std::vector<Point> before(100, Point{0, 0, 0});
+    Watched watched;
+    for (double time_s = 0; time_s <= 70; time_s += 0.2) {
+        world.scene->place(time_s);
+        watch(world.run(), time_s, before, watched);
+    }
+    std::printf("evacuation: the nearest two are %.3f m apart\n", watched.nearest_m);
+    EXPECT_EQ(watched.in_stone, 0u);
+    EXPECT_EQ(watched.through_the_door, 0u);
+    EXPECT_GT(watched.nearest_m, 0.25);
+    EXPECT_EQ(world.run().counts().left, 100u);
+    EXPECT_EQ(world.run().counts().refused, 0u);
+}
+
+TEST(Evacuation, WhoHasLeftIsNotSeen)
+{
+    World world(evacuation(6, 4), 1, false);
+    const auto seen = [&](double time_s) {
+        world.show(time_s);
+        clq_view_stats stats = clq_view_stats_init();
+        check(clq_view_get_stats(world.view.get(), &stats));
+        return stats.visible;
+    };
+    EXPECT_EQ(seen(0), 10u) << "they are there from the beginning";
+    EXPECT_EQ(seen(10), 10u);
+    EXPECT_EQ(seen(60), 0u);
+    EXPECT_EQ(world.run().counts().left, 10u);
+}
+
+TEST(Evacuation, TheAlarmSpreads)
+{
+    World world(evacuation(55, 45), 1, false);
+    const auto visiting = [&] {
+        size_t count = 0;
+        for (uint32_t i = 0; i < 100; ++i) {
+            clq_agent_info info = clq_agent_info_init();
+            check(clq_stage_get_agent(world.run().handle(), world.run().agent_of(i), &info));
+            const std::string state = info.state;
+            count += state == "stands" || state == "looks" || state == "shifts";
+        }
+        return count;
+    };
+    world.run().decide(12);
+    EXPECT_EQ(visiting(), 100u);
+    world.run().decide(13.5);
+    const size_t some = visiting();
+    EXPECT_GT(some, 20u);
+    EXPECT_LT(some, 95u);
+    world.run().decide(17);
+    EXPECT_EQ(visiting(), 0u);
+}
+
+}  // namespace
+}  // namespace staged_test
