@@ -23,7 +23,7 @@ void Run::appear(const Deed &one)
     check(clq_crowd_set_transforms(crowd(), &person.actor, &place, 1));
 }
 
-// Who appears does so before the first command; who vanishes does so after the last one.
+// People appear before the first command, and vanish after the last one.
 void Run::show(double time_s)
 {
     shown_s_ = time_s;
