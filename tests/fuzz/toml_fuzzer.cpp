@@ -67,7 +67,12 @@ void play(const std::string &text)
         return std::string();
     };
     const scenes::Scenario scenario = scenes::read_scenario(text, "scenario.toml", {"", again, find});
-    EXPECT_NE(scenario.theatre.has_value(), scenario.tracks.has_value());
+    EXPECT_FALSE(scenario.theatre && scenario.tracks);
+    EXPECT_TRUE(scenario.theatre || scenario.tracks || scenario.stage);
+    if (scenario.stage) {
+        EXPECT_FALSE(scenario.stage->agents.empty());
+        EXPECT_GT(scenario.stage->tick_s, 0);
+    }
     EXPECT_FALSE(scenario.name.empty());
     if (scenario.theatre) sit(*scenario.theatre);
     if (scenario.path) fly(*scenario.path);
