@@ -131,15 +131,10 @@ clq_status clq_crowd_set_transforms(clq_crowd *crowd, const clq_actor *actors, c
     return api::boundary("clq_crowd_set_transforms", [&] {
         api::require(crowd && ((actors && transforms) || count == 0), "crowd, actors or transforms is NULL");
         const api::Busy busy(crowd);
-        crowd->placed_ids.clear();
         crowd->placed.clear();
-        crowd->placed_ids.reserve(count);
         crowd->placed.reserve(count);
-        for (uint32_t i = 0; i < count; ++i) {
-            crowd->placed_ids.push_back(api::id_of(actors[i]));
-            crowd->placed.push_back(api::transform_of(transforms[i]));
-        }
-        crowd::set_transforms(crowd->crowd, crowd->placed_ids.data(), crowd->placed.data(), count);
+        for (uint32_t i = 0; i < count; ++i) crowd->placed.push_back(api::transform_of(transforms[i]));
+        crowd::set_transforms(crowd->crowd, api::ids_of(crowd, actors, count), crowd->placed.data(), count);
         api::changed_by(crowd, [&](api::Recorder &to) { to.transforms(actors, transforms, count); });
     });
 }

@@ -38,7 +38,7 @@ struct clq_crowd {
           views(&owner->memory),
           scenes(&owner->memory),
           views_of_update(&owner->memory),
-          placed_ids(&owner->memory),
+          actor_ids(&owner->memory),
           placed(&owner->memory),
           events(&owner->memory)
     {
@@ -53,8 +53,8 @@ struct clq_crowd {
     std::pmr::vector<clq_view *> views;
     std::pmr::vector<clq_scene *> scenes;
     std::pmr::vector<claque::frame::View *> views_of_update;  // of the present update
-    // Scratch of set_transforms: hosts call it every frame, and it allocates only when it grows.
-    std::pmr::vector<claque::crowd::Id> placed_ids;
+    // Scratch of calls with many actors: hosts make them every frame, and it allocates only when it grows.
+    std::pmr::vector<claque::crowd::Id> actor_ids;
     std::pmr::vector<claque::crowd::Transform> placed;
     std::pmr::vector<claque::behave::Event> events;  // result of the last query for events
     clq_crowd_def def = clq_crowd_def_init();        // of which it was made
@@ -139,5 +139,13 @@ clq_transform transform_of(const crowd::Transform &transform);
 crowd::Play play_of(const clq_play &play);
 inline crowd::Id id_of(clq_actor actor) { return {actor.index1, actor.generation}; }
 inline crowd::Id id_of(clq_group group) { return {group.index1, group.generation}; }
+// Valid until the crowd's next call with many actors.
+inline const crowd::Id *ids_of(clq_crowd *crowd, const clq_actor *actors, uint32_t count)
+{
+    crowd->actor_ids.clear();
+    crowd->actor_ids.reserve(count);
+    for (uint32_t i = 0; i < count; ++i) crowd->actor_ids.push_back(id_of(actors[i]));
+    return crowd->actor_ids.data();
+}
 
 }  // namespace claque::api

@@ -172,7 +172,7 @@ private:
     void transforms(crowd::Reader &in)
     {
         const uint32_t count = static_cast<uint32_t>(in.left() / record::placed_bytes);
-        std::pmr::vector<crowd::Id> &ids = handle_->placed_ids;
+        std::pmr::vector<crowd::Id> &ids = handle_->actor_ids;
         ids.clear(), handle_->placed.clear();
         ids.reserve(count), handle_->placed.reserve(count);
         for (uint32_t i = 0; i < count; ++i) {

@@ -38,14 +38,6 @@ void stop_reading(clq_crowd *crowd, const crowd::Changes *changes)
     readers.erase(std::remove(readers.begin(), readers.end(), changes), readers.end());
 }
 
-const crowd::Id *ids_of(clq_crowd *crowd, const clq_actor *actors, uint32_t count)
-{
-    crowd->placed_ids.clear();
-    crowd->placed_ids.reserve(count);
-    for (uint32_t i = 0; i < count; ++i) crowd->placed_ids.push_back(api::id_of(actors[i]));
-    return crowd->placed_ids.data();
-}
-
 }  // namespace
 
 extern "C" {
@@ -105,7 +97,7 @@ clq_status clq_scene_set_categories(clq_scene *scene, const clq_actor *actors, u
         api::require(scene != nullptr, "scene is NULL");
         api::require_array(actors, count, "actors");
         const api::Busy busy(scene->crowd);
-        scene->scene.set_categories(scene->crowd->crowd, ids_of(scene->crowd, actors, count), count, categories);
+        scene->scene.set_categories(scene->crowd->crowd, api::ids_of(scene->crowd, actors, count), count, categories);
     });
 }
 
@@ -116,7 +108,7 @@ clq_status clq_scene_set_keys(clq_scene *scene, const clq_actor *actors, const d
         api::require_array(actors, count, "actors");
         api::require_array(keys, count, "keys");
         const api::Busy busy(scene->crowd);
-        scene->scene.set_keys(scene->crowd->crowd, ids_of(scene->crowd, actors, count), keys, count);
+        scene->scene.set_keys(scene->crowd->crowd, api::ids_of(scene->crowd, actors, count), keys, count);
     });
 }
 

@@ -14,10 +14,7 @@ clq_status clq_crowd_set_speeds(clq_crowd *crowd, const clq_actor *actors, const
     return api::boundary("clq_crowd_set_speeds", [&] {
         api::require(crowd && ((actors && speeds) || count == 0), "crowd, actors or speeds is NULL");
         const api::Busy busy(crowd);
-        crowd->placed_ids.clear();
-        crowd->placed_ids.reserve(count);
-        for (uint32_t i = 0; i < count; ++i) crowd->placed_ids.push_back(api::id_of(actors[i]));
-        crowd::set_speeds(crowd->crowd, crowd->placed_ids.data(), speeds, count);
+        crowd::set_speeds(crowd->crowd, api::ids_of(crowd, actors, count), speeds, count);
         api::changed_by(crowd, [&](api::Recorder &to) { to.speeds(actors, speeds, count); });
     });
 }

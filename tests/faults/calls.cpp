@@ -24,13 +24,13 @@ const std::set<std::string> allocate = {
     "clq_actor_play_root_path", "clq_actor_follow_track",  "clq_crowd_randomise_colours",
     "clq_crowd_release_tracks", "clq_group_create",        "clq_view_create",
     "clq_scene_create",         "clq_scene_update",        "clq_scene_set_categories",
-    "clq_scene_set_keys",       "clq_crowd_set_speeds"};
+    "clq_scene_set_keys"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
-    "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share", "clq_renderer_prepare",
-    "clq_actor_set_hooks",        "clq_actor_detach",          "clq_crowd_update",         "clq_crowd_set_transforms",
-    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",  "clq_actor_leave_track",
-    "clq_crowd_begin_recording",  "clq_crowd_end_recording",   "clq_crowd_get_recording"};
+    "clq_crowd_restore",     "clq_actor_end_layer",        "clq_actor_set_gait_share",  "clq_renderer_prepare",
+    "clq_actor_set_hooks",   "clq_actor_detach",           "clq_crowd_update",          "clq_crowd_set_transforms",
+    "clq_crowd_set_speeds",  "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",
+    "clq_actor_leave_track", "clq_crowd_begin_recording",  "clq_crowd_end_recording",   "clq_crowd_get_recording"};
 
 void add_busy(std::vector<Call> &all)
 {
@@ -69,6 +69,13 @@ void add_crowds(std::vector<Call> &all)
                        clq_transform places[24];
                        for (clq_transform &place : places) place = clq_transform_init();
                        return clq_crowd_set_transforms(w.objects.crowd, w.actors.data(), places, 24);
+                   },
+                   keeps});
+    all.push_back({"clq_crowd_set_speeds",
+                   [](W w) {
+                       float speeds[24];
+                       for (float &speed : speeds) speed = 1.5f;
+                       return clq_crowd_set_speeds(w.objects.crowd, w.actors.data(), speeds, 24);
                    },
                    keeps});
     all.push_back({"clq_actor_end_layer",
