@@ -36,8 +36,8 @@ struct Goal {
     float speed_m_s = 1.3f;  // wanted
     // NaN: the agent stands as it came. Otherwise it turns to this heading where it arrives.
     double heading_rad = 0;
-    // Having arrived, it moves exactly to the position and stays there beside the ground, in no other's way, until it is
-    // sent elsewhere. Wants a heading.
+    // Having arrived, it moves exactly to the position and stays there beside the ground, in no other's way, until it
+    // is sent elsewhere. Wants a heading.
     bool settles = false;
     uint64_t request = 0;  // named by the Arrival that answers
 };

@@ -1,0 +1,103 @@
+// A saved movement has the same future, and bytes that are none are refused.
+
+#include "tests/unit/walk/movement_fixture.h"
+
+using namespace claque;
+using walk_test::Movement;
+
+TEST_F(Movement, ThatMakesRoomHasTheSameFutureWhenItIsRestored)
+{
+    for (int at = 90; at <= 150; at += 6) {  // before the other one steps aside, meanwhile, and on its way back
+        const auto movement = make();
+        movement->add(0, walker(8.1, 3), 0);
+        movement->add(1, walker(4, 3), 0);
+        movement->go(1, goal(12, 3, 1), 0);
+        run(*movement, 0, at);
+        std::vector<uint8_t> bytes;
+        movement->save(bytes);
+        const auto restored = make();
+        restored->restore(bytes.data(), bytes.size());
+        const std::vector<std::string> future = run(*movement, at, at + 150);
+        EXPECT_EQ(run(*restored, at, at + 150), future) << at;
+        EXPECT_GT(future.size(), 16u);
+    }
+}
+
+TEST_F(Movement, ThatSettlesHasTheSameFutureWhenItIsRestored)
+{
+    for (const int at : {40, 62, 75, 88, 140}) {  // on its way, beside the ground, before and after it left its track
+        const auto movement = make();
+        movement->add(0, walker(1, 3), 0);
+        stage::Goal seat = goal(3, -0.05, 1);
+        seat.heading_rad = 0, seat.settles = true;
+        movement->go(0, seat, 0);
+        run(*movement, 0, at);
+        std::vector<uint8_t> bytes;
+        movement->save(bytes);
+        const auto restored = make();
+        restored->restore(bytes.data(), bytes.size());
+        for (walk::Walking *one : {movement.get(), restored.get()}) one->go(0, goal(6, 3, 2), 0.05 * at + 3.01);
+        std::vector<std::string> future = run(*movement, at, at + 200), same = run(*restored, at, at + 200);
+        EXPECT_EQ(future, same) << at;
+        EXPECT_GT(future.size(), 8u);
+    }
+}
+
+TEST_F(Movement, HasTheSameFutureWhenItIsRestored)
+{
+    const auto movement = make();
+    crowd(*movement);
+    movement->add(12, walker(3, 5), 9.5);
+    run(*movement, 0, 60);
+    ASSERT_EQ(clq_navigation_set_door(navigation_, 0, false), CLQ_OK);
+    run(*movement, 60, 90);
+    std::vector<uint8_t> bytes, again;
+    movement->save(bytes);
+    movement->save(again);
+    EXPECT_EQ(bytes, again);
+    const std::vector<std::string> future = run(*movement, 90, 300);
+    ASSERT_EQ(clq_navigation_set_door(navigation_, 0, true), CLQ_OK);
+    const auto restored = make();
+    restored->restore(bytes.data(), bytes.size());
+    bool open = true;
+    ASSERT_EQ(clq_navigation_get_door(navigation_, 0, &open), CLQ_OK);
+    EXPECT_FALSE(open);
+    again.clear();
+    restored->save(again);
+    EXPECT_EQ(bytes, again);
+    EXPECT_EQ(run(*restored, 90, 300), future);
+    EXPECT_GT(future.size(), 200u);
+}
+
+TEST_F(Movement, RefusesBytesThatAreNoMovement)
+{
+    const auto movement = make(), other = make();
+    crowd(*movement);
+    run(*movement, 0, 60);
+    std::vector<uint8_t> bytes, before, after;
+    movement->save(bytes);
+    other->save(before);
+    const auto refused = [&](const std::vector<uint8_t> &bad) {
+        try {
+            other->restore(bad.data(), bad.size());
+            return false;
+        } catch (const stage::Error &error) {
+            EXPECT_EQ(error.status(), CLQ_FORMAT) << error.what();
+            return true;
+        }
+    };
+    for (size_t size = 0; size < bytes.size(); size += size < 300 ? 7 : 997)
+        ASSERT_TRUE(refused({bytes.begin(), bytes.begin() + static_cast<ptrdiff_t>(size)})) << size;
+    other->save(after);
+    EXPECT_EQ(before, after);
+    // Any change is refused or harmless.
+    for (size_t at = 0; at < bytes.size(); at += at < 600 ? 3 : 211) {
+        std::vector<uint8_t> changed = bytes;
+        changed[at] ^= at % 2 ? 0xff : 0x01;
+        if (refused(changed)) continue;
+        try {
+            run(*other, 60, 64);
+        } catch (const stage::Error &) {  // such as a walker of another size than its track
+        }
+    }
+}
