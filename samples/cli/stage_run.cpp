@@ -144,6 +144,12 @@ void run_stage(const StageArguments &a)
                             {"steps", info.steps},
                             {"pieces", info.tracks}};
     }
+    report["doors"] = Json::array();
+    for (const staged::DoorCount &door : staging.scene->run().doors())
+        report["doors"].push_back({{"name", door.name},
+                                   {"width_m", door.width_m},
+                                   {"passed", door.passed_s.size()},
+                                   {"people_per_s_m", staged::flow_of(door.passed_s, door.width_m)}});
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +

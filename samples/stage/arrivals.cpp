@@ -14,19 +14,6 @@ using namespace scenes;
 namespace
 {
 
-bool is_within(const Outline &outline, double x, double z)
-{
-    bool left = false, right = false;
-    const size_t count = outline.size() / 2;
-    for (size_t i = 0; i < count; ++i) {
-        const size_t next = (i + 1) % count;
-        const double ax = outline[2 * i], az = outline[2 * i + 1];
-        const double side = (outline[2 * next] - ax) * (z - az) - (outline[2 * next + 1] - az) * (x - ax);
-        (side < 0 ? left : right) = true;
-    }
-    return !(left && right);
-}
-
 // A point within the rectangle round an outline.
 std::array<double, 3> point_in(const Outline &outline, double u, double v)
 {
@@ -39,6 +26,19 @@ std::array<double, 3> point_in(const Outline &outline, double u, double v)
 }
 
 }  // namespace
+
+bool is_within(const Outline &outline, double x, double z)
+{
+    bool left = false, right = false;
+    const size_t count = outline.size() / 2;
+    for (size_t i = 0; i < count; ++i) {
+        const size_t next = (i + 1) % count;
+        const double ax = outline[2 * i], az = outline[2 * i + 1];
+        const double side = (outline[2 * next] - ax) * (z - az) - (outline[2 * next + 1] - az) * (x - ax);
+        (side < 0 ? left : right) = true;
+    }
+    return !(left && right);
+}
 
 std::vector<Arrival> arrivals_of(const Staging &stage, uint64_t seed)
 {

@@ -23,6 +23,9 @@ struct Spot {
 // Decisions begin so long before time 0: people who are there from the beginning stand when they are first seen.
 constexpr double begin_s = -1;
 
+// Of a point, within the outline or on it.
+bool is_within(const scenes::Outline &outline, double x, double z);
+
 // All people of a scenario in the order in which they are due.
 std::vector<Arrival> arrivals_of(const scenes::Staging &stage, uint64_t seed);
 

@@ -57,6 +57,7 @@ public:
     double decided_s() const { return clq_stage_get_decided_s(stage_.get()); }
     clq_stage_info info() const;
     RunCounts counts() const;
+    std::vector<DoorCount> doors() const;  // in the flow of decisions, or while that rests
 
     // For services, in the flow of decisions.
     clq_navigation *navigation() const { return navigation_.get(); }
@@ -66,6 +67,7 @@ public:
     {
         return described_.agents[people_.all()[person].agents];
     }
+    const std::vector<uint32_t> &here() const { return here_; }  // people, ascending
     bool is_here(uint32_t person) const { return agents_[person].index1 != 0; }
     clq_agent agent_of(uint32_t person) const { return agents_[person]; }
     std::array<double, 3> place_of(uint32_t person) const;

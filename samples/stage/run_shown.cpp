@@ -51,6 +51,13 @@ RunCounts Run::counts() const
     return counts_;
 }
 
+std::vector<DoorCount> Run::doors() const
+{
+    std::vector<DoorCount> all;
+    for (const auto &service : services_) service->tell(all);
+    return all;
+}
+
 clq_stage_info Run::info() const
 {
     clq_stage_info info = clq_stage_info_init();

@@ -8,6 +8,7 @@
 
 #include "samples/scenes/scenario/scenario.h"
 #include "samples/stage/bytes.h"
+#include "samples/stage/doors.h"
 
 namespace staged
 {
@@ -31,6 +32,9 @@ public:
     virtual void before_tick(Run &, double /*end_s*/) {}
     // A person was removed from the run.
     virtual void gone(Run &, uint32_t /*person*/) {}
+
+    // The doors that it has counted, for reports.
+    virtual void tell(std::vector<DoorCount> &) const {}
 
     // What it remembers, for Run::save. take() throws Failure where the bytes are not what put() wrote.
     virtual void put(BytesOut &) const {}

@@ -26,6 +26,7 @@ clq_navigation_def Floor::def() const
     clq_navigation_def def = clq_navigation_def_init();
     def.vertices = vertices.data(), def.vertex_count = static_cast<uint32_t>(vertices.size() / 3);
     def.triangles = triangles.data(), def.triangle_count = static_cast<uint32_t>(triangles.size() / 3);
+    def.radius_m = radius_m, def.cell_m = cell_m;
     def.holes = holes.data(), def.hole_count = static_cast<uint32_t>(holes.size());
     def.doors = doors.data(), def.door_count = static_cast<uint32_t>(doors.size());
     return def;
@@ -50,10 +51,11 @@ Floor two_rooms(bool with_door)
     return floor;
 }
 
-clq_walker Held::add(double x, double z, const clq_locomotion *locomotion) const
+clq_walker Held::add(double x, double z, const clq_locomotion *locomotion, float radius_m) const
 {
     clq_walker_def def = clq_walker_def_init();
     def.position[0] = x, def.position[2] = z, def.locomotion = locomotion;
+    def.radius_m = radius_m;
     clq_walker made = {0, 0};
     EXPECT_EQ(clq_walkers_add(walkers, &def, &made), CLQ_OK) << clq_last_error();
     return made;

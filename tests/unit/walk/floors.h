@@ -19,6 +19,7 @@ struct Floor {
     std::vector<uint32_t> triangles;
     std::vector<std::vector<double>> outlines;  // of holes and doors, which point here
     std::vector<clq_prism> holes, doors;
+    float radius_m = clq_navigation_def_init().radius_m, cell_m = 0;
 
     // A rectangle, seen from above; its heights at the two ends in x.
     void add(double x0, double z0, double x1, double z1, double y0 = 0, double y1 = 0);
@@ -48,7 +49,8 @@ struct Held {
     Held(const Held &) = delete;
     Held &operator=(const Held &) = delete;
 
-    clq_walker add(double x, double z, const clq_locomotion *locomotion = nullptr) const;
+    clq_walker add(double x, double z, const clq_locomotion *locomotion = nullptr,
+                   float radius_m = clq_walker_def_init().radius_m) const;
     void go(clq_walker walker, double x, double z, float near_m = 0.3f) const;
     clq_walker_info info(clq_walker walker) const;
     uint64_t hash() const;

@@ -1,0 +1,127 @@
+// stage: runs of people who decide, their records, pictures, reports and states.
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/picture.h"
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using Json = nlohmann::json;
+
+const std::string scenarios = std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/";
+
+class StageCommand : public Drawing
+{
+protected:
+    void SetUp() override
+    {
+        Drawing::SetUp();
+        std::filesystem::copy(scenarios + "evacuation", path("evacuation"));
+        std::string text = file_text(scenarios + "evacuation.toml");
+        for (const char *count : {"count = 160", "count = 140"}) {
+            const size_t at = text.find(count);
+            ASSERT_NE(at, std::string::npos);
+            text.replace(at, 11, "count = 12");
+        }
+        std::ofstream(path("hall.toml")) << text;
+    }
+    Json run(std::vector<std::string> more) const
+    {
+        more.insert(more.begin(), {"stage", path("hall.toml"), "--fps", "5", "--json", "-"});
+        const Outcome done = claque(more);
+        EXPECT_EQ(done.code, 0) << done.err;
+        EXPECT_EQ(done.err, "") << "no progress in a pipe";
+        return done.code == 0 ? Json::parse(done.out) : Json();
+    }
+};
+
+TEST_F(StageCommand, RecordsTheSameForAnyThreadsAndFlows)
+{
+    const Json first = run({"--record", path("1.clt"), "--threads", "1", "--in-turn"});
+    EXPECT_EQ(first["frames"], 376);
+    EXPECT_EQ(first["came"], 24);
+    EXPECT_EQ(first["left"], 24);
+    EXPECT_EQ(first["refused_commands"], 0);
+    EXPECT_GT(first["decisions"], 200);
+    EXPECT_EQ(first["record"]["steps"], 376);
+    EXPECT_GT(first["record"]["pieces"], 500);
+    ASSERT_EQ(first["doors"].size(), 3u);
+    const Json second = run({"--record", path("2.clt"), "--threads", "2", "--apart"});
+    EXPECT_EQ(second["hash"], first["hash"]);
+    EXPECT_EQ(file_text(path("2.clt")), file_text(path("1.clt")));
+    const Json other = run({"--seed", "2"});
+    EXPECT_NE(other["hash"], first["hash"]);
+}
+
+TEST_F(StageCommand, DrawsWhatPlayThenShows)
+{
+    const Json live = run({"--seconds", "20", "--record", path("run.clt"), "--frames", "0:100", "--stride", "50",
+                           "--size", "96x64", "--out", path("live-%03d.png")});
+    EXPECT_EQ(live["frames"], 101);
+    EXPECT_EQ(left().size(), 6u) << "two inputs, three pictures and a record";
+    const Json silent = run({"--seconds", "20", "--record", path("silent.clt")});
+    EXPECT_EQ(file_text(path("silent.clt")), file_text(path("run.clt"))) << "pictures change nothing";
+    const Outcome played =
+        claque({"play", path("run.clt"), "--time", "10", "--size", "96x64", "--json", "-", "--out", path("again.png")});
+    ASSERT_EQ(played.code, 0) << played.err;
+    EXPECT_GT(Json::parse(played.out)["frames"][0]["drawn"]["individuals"], 10);
+}
+
+TEST_F(StageCommand, GoesOnFromAStateAsItWouldHaveGoneOn)
+{
+    const Json whole = run({"--save", path("state"), "--at", "20"});
+    const Json rest = run({"--restore", path("state")});
+    EXPECT_EQ(rest["hash"], whole["hash"]);
+    EXPECT_EQ(rest["left"], 24);
+    EXPECT_EQ(rest["frames"], 276);
+    const Outcome other = claque({"stage", path("hall.toml"), "--seed", "9", "--restore", path("state")});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("state: "), std::string::npos) << other.err;
+}
+
+TEST_F(StageCommand, LeavesNoHalfFile)
+{
+    std::ofstream(path("evacuation/visitor.toml"), std::ios::app) << "\n[states.idle]\ninitial = true\n";
+    const Outcome bad = claque({"stage", path("hall.toml"), "--record", path("run.clt")});
+    EXPECT_EQ(bad.code, 1);
+    EXPECT_NE(bad.err.find("hall.toml:"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("visitor.toml, line 41"), std::string::npos) << bad.err;
+    EXPECT_EQ(left(), (std::vector<std::string>{"evacuation", "hall.toml"}));
+    // The run itself fails, after the record has begun.
+    std::string text = file_text(path("hall.toml"));
+    for (size_t at; (at = text.find("exits = ")) != std::string::npos;) text.erase(at, text.find('\n', at) - at);
+    std::ofstream(path("hall.toml")) << text;
+    std::filesystem::copy_file(scenarios + "evacuation/visitor.toml", path("evacuation/visitor.toml"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const Outcome lost = claque({"stage", path("hall.toml"), "--record", path("run.clt")});
+    EXPECT_EQ(lost.code, 1);
+    EXPECT_NE(lost.err.find("has no 'exits'"), std::string::npos) << lost.err;
+    EXPECT_EQ(left(), (std::vector<std::string>{"evacuation", "hall.toml"}));
+}
+
+TEST_F(StageCommand, WrongUseIsSaidBeforeAnythingIsDone)
+{
+    const auto refused = [&](std::vector<std::string> more, const std::string &says) {
+        more.insert(more.begin(), {"stage", path("hall.toml")});
+        const Outcome done = claque(more);
+        EXPECT_EQ(done.code, 2) << says;
+        EXPECT_NE(done.err.find(says), std::string::npos) << done.err;
+    };
+    refused({"--frames", "0:5", "--out", path("x.png")}, "one place for the frame number");
+    refused({"--frames", "0:5"}, "--out");
+    refused({"--frames", "0:9000", "--out", path("%d.png")}, "ends at 9000, and the run has 1875 frames");
+    refused({"--at", "5"}, "--save");
+    refused({"--save", path("s"), "--at", "99"}, "after the end of the run");
+    refused({"--apart", "--in-turn"}, "excludes");
+    const Outcome other = claque({"stage", scenarios + "corner.toml"});
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("has no [stage]"), std::string::npos) << other.err;
+}
+
+}  // namespace
+}  // namespace cli_test
