@@ -50,6 +50,28 @@ double ChooseLevels::speed_of(const Candidate &candidate) const
     return speed;
 }
 
+ChooseLevels::Distances ChooseLevels::distances_of(uint32_t i) const
+{
+    Distances out;
+    const double wish =
+        (1 - double(given.crowd.extent_of(candidates[i].row).priority)) * double(given.settings.lod_scale);
+    bool any = false;
+    for (uint32_t v = 0; v < given.eyes.count; ++v)
+        any = any || visibilities.at(v, i).inside != math::Containment::outside;
+    for (uint32_t v = 0; v < given.eyes.count; ++v) {
+        const ViewVisibility &visibility = visibilities.at(v, i);
+        // Traditional mode also evaluates actors that no view sees, and poses visible ones as actor mode does.
+        if (visibility.inside == math::Containment::outside && (any || !given.traditional())) continue;
+        const CameraState &eye = given.eyes[v];
+        const double scaled = visibility.distance * eye.distance_scale + eye.min_distance;
+        const float here = static_cast<float>(scaled * wish);
+        if (out.nearest < 0 || visibility.distance < out.nearest) out.nearest = visibility.distance;
+        if (out.effective < 0 || here < out.effective) out.effective = here;
+        out.shown_from = std::min({out.shown_from, double(visibility.distance), scaled});
+    }
+    return out;
+}
+
 void ChooseLevels::evaluate_candidate(uint32_t i) const
 {
     const crowd::Crowd &crowd = given.crowd;
@@ -65,36 +87,23 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     out.update = given.update;
     out.candidate = i;
 
-    float nearest = -1, effective = -1;
-    const double wish = (1 - double(crowd.extent_of(row).priority)) * double(given.settings.lod_scale);
-    bool any = false;
-    for (uint32_t v = 0; v < given.eyes.count; ++v)
-        any = any || visibilities.at(v, i).inside != math::Containment::outside;
-    for (uint32_t v = 0; v < given.eyes.count; ++v) {
-        const ViewVisibility &visibility = visibilities.at(v, i);
-        // Traditional mode also evaluates actors that no view sees, and poses visible ones as actor mode does.
-        if (visibility.inside == math::Containment::outside && (any || !given.traditional())) continue;
-        const CameraState &eye = given.eyes[v];
-        const float here = static_cast<float>((visibility.distance * eye.distance_scale + eye.min_distance) * wish);
-        if (nearest < 0 || visibility.distance < nearest) nearest = visibility.distance;
-        if (effective < 0 || here < effective) effective = here;
-    }
-    out.visibility.visible = nearest >= 0;
+    const Distances distances = distances_of(i);
+    out.visibility.visible = distances.nearest >= 0;
     out.visible_before = out.visibility.visible && was_visible;
     if (!out.visibility.visible) return;
 
-    candidate.effective_distance_m = effective * given.settings.caches.metres_per_unit;
-    out.visibility.distance = nearest;
+    candidate.effective_distance_m = distances.effective * given.settings.caches.metres_per_unit;
+    out.visibility.distance = distances.nearest;
     out.visibility.level = level_of(out, row, candidate.effective_distance_m);
     candidate.levels = behave::mechanism_levels(crowd, row, candidate.effective_distance_m,
                                                 crowd.template_of(row).levels[out.visibility.level]);
     const animcache::Settings &caches = given.settings.caches;
-    const bool each_frame =
-        behave::has_memory(crowd, row) || caches.key_poses.mode_at(nearest) == animcache::KeyPoseMode::skinned;
+    const bool each_frame = behave::has_memory(crowd, row) ||
+                            caches.key_poses.mode_at(distances.nearest) == animcache::KeyPoseMode::skinned;
     const uint32_t rate_step = each_frame
                                    ? 0
-                                   : std::min(animcache::rate_step_of(caches.period, nearest),
-                                              animcache::rate_step_of_motion(speed_of(candidate), nearest,
+                                   : std::min(animcache::rate_step_of(caches.period, distances.nearest),
+                                              animcache::rate_step_of_motion(speed_of(candidate), distances.shown_from,
                                                                              given.settings.motion_tolerance_px));
     const uint64_t id = uint64_t(actor.generation) << 32 | (row + 1);
     const double before_s = out.visibility.shown_s;

@@ -3,6 +3,8 @@
 // requires it, and builds with assertions hold every step of every update to it.
 #pragma once
 
+#include <cmath>
+
 #include "lib/base/status.h"
 #include "lib/frame/blocks.h"
 #include "lib/frame/frame_data.h"
@@ -99,6 +101,13 @@ struct ChooseLevels {
     void run() const;
 
 private:
+    // Of a candidate, the smallest over the views that see it, world units; below 0: none does.
+    struct Distances {
+        float nearest = -1, effective = -1;
+        // From here the reference picture would show it as large as it is shown, or from `nearest` if that is nearer.
+        double shown_from = HUGE_VAL;
+    };
+    Distances distances_of(uint32_t i) const;
     void evaluate_candidate(uint32_t i) const;
     uint32_t level_of(const Row &row, uint32_t crowd_row, float effective_distance_m) const;
     double speed_of(const Candidate &candidate) const;

@@ -39,12 +39,16 @@ protected:
         def.motion_tolerance_px = tolerance_px;
         EXPECT_EQ(clq_crowd_create(context_, &def, &made), CLQ_OK);
         EXPECT_EQ(clq_view_create(made, &view_), CLQ_OK);
+        look_at(60);
+        return made;
+    }
+    void look_at(float fov_y_deg)
+    {
         clq_camera camera;
         const double eye[3] = {0, 1, 0}, target[3] = {0, 1, -10};
         const float up[3] = {0, 1, 0};
-        EXPECT_EQ(api_test::look_at(&camera, eye, target, up, 1, 1.3f, 0.1f, 300), CLQ_OK);
+        EXPECT_EQ(api_test::look_at(&camera, eye, target, up, fov_y_deg * 0.01745329f, 1.3f, 0.1f, 300), CLQ_OK);
         EXPECT_EQ(clq_view_set_camera(view_, &camera), CLQ_OK);
-        return made;
     }
     clq_actor actor(double distance)
     {
@@ -171,6 +175,21 @@ TEST_F(MovingActors, InAGroupMoveWithIt)
     ASSERT_EQ(clq_actor_join(crowd_, actor_, {0, 0}, nullptr), CLQ_OK);
     info = shown(actor_, 1);
     EXPECT_FLOAT_EQ(info.period_s, static_cast<float>(period_of(0.6f, double(info.eye_distance_m)))) << "its own";
+}
+
+TEST_F(MovingActors, ThroughALongLensMoveByAPixelOfItsPicture)
+{
+    set_speed(actor_, 0.6f);
+    look_at(20);
+    const double larger = std::tan(3.14159265358979 / 6) / std::tan(3.14159265358979 / 18);
+    const clq_actor_info info = shown(actor_, 1);
+    EXPECT_FLOAT_EQ(info.period_s, static_cast<float>(period_of(0.6 * larger, double(info.eye_distance_m))));
+    ASSERT_EQ(clq_view_set_height(view_, 384), CLQ_OK);
+    EXPECT_FLOAT_EQ(shown(actor_, 1).period_s,
+                    static_cast<float>(period_of(0.3 * larger, double(info.eye_distance_m))));
+    look_at(100);
+    EXPECT_FLOAT_EQ(shown(actor_, 1).period_s, static_cast<float>(period_of(0.6, double(info.eye_distance_m))))
+        << "never less often than in the reference picture";
 }
 
 TEST_F(MovingActors, WithoutATolerancePayNoHeedToSpeed)

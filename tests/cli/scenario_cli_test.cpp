@@ -75,6 +75,22 @@ TEST_F(ScenarioCommand, AFrameOfTheCornerAloneIsTheFrameInTheSequence)
     EXPECT_EQ(render({"--scenario", corner, "--time", "11.2"})["camera"], "overview");
 }
 
+// Through a long lens a metre has more pixels than the update period counts at sixty metres, and feet would slide back
+// and forth.
+TEST_F(ScenarioCommand, WhoWalksInTheCorridorIsPosedInEachFrameOfALongLens)
+{
+    const std::string corridor = source + "/samples/scenarios/corridor.toml";
+    const Outcome done = claque({"render", "--scenario", corridor, "--frames", "925:928", "--size", "720x900", "--json",
+                                 path("r.json"), "--out", path("f-%03d.png"), "--threads", "1"});
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json report = Json::parse(file_text(path("r.json")));
+    EXPECT_EQ(report["count"], 36);
+    for (const Json &frame : report["frames"]) {
+        EXPECT_GT(frame["counters"]["visible"], 5);
+        EXPECT_GE(frame["counters"]["due"], frame["counters"]["visible"]);
+    }
+}
+
 TEST_F(ScenarioCommand, IsThePlayOfItsOptions)
 {
     const std::string file = source + "/samples/scenarios/corner.csv";
