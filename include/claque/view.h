@@ -95,6 +95,24 @@ CLQ_API clq_status clq_view_get_stats(const clq_view *view, clq_view_stats *out)
  * NULL and where clq_view_get_stats would be BUSY. Threads: any. GL: none. */
 CLQ_API uint64_t clq_view_get_hash(const clq_view *view);
 
+/* An actor that entered or left view. */
+typedef struct clq_view_change {
+    clq_actor actor;
+    bool in_view; /* a view of the last update sees it, as clq_actor_info.visible says */
+} clq_view_change;
+
+/* Gets the actors that entered or left view in the last clq_crowd_update, in the order of index1: each that a view of
+ * this update sees and no view of the update before saw, or the other way round. The first update after an actor's
+ * creation tells of it, whether it is in view or not; so does the first after clq_crowd_restore, of all. Actors
+ * destroyed since are left out. An update that failed changes nothing. claque keeps a bit for each actor, whether the
+ * last update saw it; what is drawn never depends on it. Takes time in proportion to what changed and, in steps of 64
+ * actors, to what is in view.
+ *   out         [capacity], or NULL with capacity 0: the call only counts
+ *   out_count   the number of actors
+ * Fails: ARGUMENT, LIMIT (more than capacity; nothing is written then), BUSY. Threads: any. GL: none. */
+CLQ_API clq_status clq_crowd_get_view_changes(const clq_crowd *crowd, clq_view_change *out, size_t capacity,
+                                              size_t *out_count);
+
 #ifdef __cplusplus
 }
 #endif

@@ -157,4 +157,23 @@ uint64_t clq_view_get_hash(const clq_view *view)
     return hash;
 }
 
+clq_status clq_crowd_get_view_changes(const clq_crowd *crowd, clq_view_change *out, size_t capacity, size_t *out_count)
+{
+    return api::boundary("clq_crowd_get_view_changes", [&] {
+        api::require(crowd && out_count && (out || capacity == 0), "crowd, out or out_count is NULL");
+        const api::Reading reading(crowd);
+        const frame::ViewChanges &changes = crowd->frame.view_changes();
+        size_t count = 0;
+        changes.for_each(crowd->crowd, [&](uint32_t, bool) { ++count; });
+        if (out && count > capacity)
+            base::fail(CLQ_LIMIT, "%zu actors entered or left view: there is room for %zu", count, capacity);
+        if (out)
+            changes.for_each(crowd->crowd, [&](uint32_t row, bool in_view) {
+                const crowd::Id id = crowd->crowd.id_of(row);
+                *out++ = {{id.index1, id.generation}, in_view};
+            });
+        *out_count = count;
+    });
+}
+
 }  // extern "C"

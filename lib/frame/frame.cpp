@@ -11,6 +11,7 @@ void Frame::forget()
 {
     std::fill(work_.rows.begin(), work_.rows.end(), Row());
     std::fill(work_.groups.begin(), work_.groups.end(), GroupRow());
+    work_.view_changes.forget();
     work_.has_last_time = false;
 }
 

@@ -31,6 +31,7 @@ public:
     }
     // What an item of a list of the last update shows. Rows may have other individuals by now.
     const animcache::Request &request_of(const draw::Item &item) const { return work_.caches.requests()[item.request]; }
+    const ViewChanges &view_changes() const { return work_.view_changes; }
     // Whether any view of the last update met the group's sphere; false for a disabled or empty group.
     bool group_visible(const crowd::Crowd &crowd, uint32_t group) const;
 

@@ -169,6 +169,7 @@ void UpdateRun::show()
         checked(ListView{given_, v, placed(), visible, visibilities(), caches, work_.listed, work_.ordered, *views_[v]})
             .run();
 
+    work_.view_changes.note(given_.crowd, placed(), visible);
     static_cast<animcache::Counters &>(stats) = caches.counters();
     stats.visible = visible_count;
     stats.frame_bytes = work_.bytes();

@@ -56,6 +56,7 @@ Work::Work(std::pmr::memory_resource *memory, const Settings &wanted)
       rows(memory),
       groups(memory),
       blocks(memory),
+      view_changes(memory),
       eyes(memory),
       block_seen(memory),
       tested(memory),
@@ -105,6 +106,7 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     ordered.reserve(count);
     caches.reserve(count, crowd.templates(), may_throw(crowd));
     grow(rows, count);
+    view_changes.reserve(count);
     grow(groups, crowd.group_count());
     if (may_throw(crowd)) {
         last.rows.reserve(rows.capacity());
@@ -146,7 +148,7 @@ uint64_t Work::bytes() const
     return base::held_bytes(rows, groups, eyes, block_seen, tested, motions, passed, candidates, visibilities, visible,
                             layers, dofs, behaving, listed, ordered, last.rows, last.groups, last.candidates,
                             last.layers, last.dofs) +
-           blocks.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
+           blocks.bytes() + view_changes.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
 }
 
 }  // namespace claque::frame

@@ -6,6 +6,7 @@
 #include "lib/frame/order.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
+#include "lib/frame/view_changes.h"
 
 namespace claque::frame
 {
@@ -34,6 +35,7 @@ struct Work {
     std::pmr::vector<Row> rows;
     std::pmr::vector<GroupRow> groups;
     Blocks blocks;
+    ViewChanges view_changes;  // for hosts; no step reads it
 
     // Of one update. Arrays have the maximum size; steps return how much of them they filled.
     std::pmr::vector<CameraState> eyes;       // one per view

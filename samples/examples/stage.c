@@ -40,14 +40,31 @@ static bool is_in(const clq_stage *stage, clq_agent agent, const char *state)
     return strcmp(info.state, state) == 0;
 }
 
+/* Tells the decisions which actors entered or left view in the last update: of the others nothing is asked. Here the
+ * actor of people[i] has index1 i + 1. */
+static void tell_view(clq_stage *stage, const clq_crowd *crowd, const clq_agent *people, double time_s)
+{
+    clq_view_change changes[PEOPLE];
+    clq_agent agents[PEOPLE];
+    bool in_view[PEOPLE];
+    size_t count;
+    check(clq_crowd_get_view_changes(crowd, changes, PEOPLE, &count));
+    for (size_t i = 0; i < count; ++i) {
+        agents[i] = people[changes[i].actor.index1 - 1];
+        in_view[i] = changes[i].in_view;
+    }
+    check(clq_stage_tell_view(stage, agents, in_view, (uint32_t)count, time_s));
+}
+
 /* The two flows in turn, here on one thread. */
-static void play(clq_stage *stage, clq_crowd *crowd, clq_view *view, int first, int last)
+static void play(clq_stage *stage, clq_crowd *crowd, clq_view *view, const clq_agent *people, int first, int last)
 {
     for (int frame = first; frame < last; ++frame) {
         check(clq_stage_step(stage, frame / 30.0 + 1.0));
         expect(clq_stage_get_decided_s(stage) > frame / 30.0, "decisions are ahead of what is shown");
         check(clq_stage_apply(stage, crowd, frame / 30.0, NULL));
         check(clq_crowd_update(crowd, frame / 30.0, &view, 1));
+        tell_view(stage, crowd, people, frame / 30.0);
     }
 }
 
@@ -63,6 +80,12 @@ int main(void)
     check(clq_template_builtin(context, "plebeian", &tmpl));
     check(clq_crowd_create(context, NULL, &crowd));
     check(clq_view_create(crowd, &view));
+    clq_look_at_def look = clq_look_at_def_init();
+    clq_camera camera;
+    look.eye[0] = look.target[0] = 0.5, look.eye[1] = look.target[1] = 1, look.eye[2] = 4, look.target[2] = 0;
+    look.fov_y_rad = 0.5f, look.aspect = 1;
+    check(clq_camera_look_at(&look, &camera));
+    check(clq_view_set_camera(view, &camera));
     check(clq_stage_create(context, NULL, &stage));
 
     clq_action_def action = clq_action_def_init();
@@ -84,16 +107,20 @@ int main(void)
     }
     const clq_stage_text source = {NULL, timetable, sizeof timetable - 1, "timetable"};
     check(clq_stage_add_timetable(stage, &source, 0.0));
-    play(stage, crowd, view, 0, 180); /* 6 s are shown, 7 s are decided */
+    play(stage, crowd, view, people, 0, 180); /* 6 s are shown, 7 s are decided */
     for (int i = 0; i < PEOPLE; ++i)
         expect(is_in(stage, people[i], "startled") == (i <= 2), "those within 2.5 m are startled");
     expect(gasped_s == 0, "though it is not yet shown");
-    play(stage, crowd, view, 180, 300);
+    play(stage, crowd, view, people, 180, 300);
     expect(gasped_s == 6.5, "it was shown when it happened");
     for (int i = 0; i < PEOPLE; ++i)
         expect(is_in(stage, people[i], "listens") || is_in(stage, people[i], "talks"), "all have returned");
     check(clq_stage_get_variable(stage, people[1], "calm", &calm));
     expect(calm == 0.5, "a bang takes some calm");
+    clq_agent_info near_one = clq_agent_info_init(), far_one = clq_agent_info_init();
+    check(clq_stage_get_agent(stage, people[0], &near_one));
+    check(clq_stage_get_agent(stage, people[4], &far_one));
+    expect(near_one.in_view && !far_one.in_view, "the last one is out of view, and its tasks come later");
     clq_stage_info info = clq_stage_info_init();
     check(clq_stage_get_info(stage, &info));
     expect(info.agents == PEOPLE && info.runaways == 0 && info.classes[0].late == 0, "no decision was late");

@@ -183,6 +183,10 @@ void add_readers(std::vector<Call> &all)
     const auto read = [&](const char *name, std::function<clq_status(O)> run) {
         all.push_back({name, Use::reads_crowd, std::move(run)});
     };
+    read("clq_crowd_get_view_changes", [](O o) {
+        size_t count = 0;
+        return clq_crowd_get_view_changes(o.crowd, nullptr, 0, &count);
+    });
     read("clq_actor_get_info", [](O o) {
         clq_actor_info info = clq_actor_info_init();
         return clq_actor_get_info(o.crowd, o.actor, &info);

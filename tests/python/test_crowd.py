@@ -146,6 +146,21 @@ def test_a_destroyed_actor_is_a_stale_id_with_a_message(crowd):
     assert len(crowd) == 100
 
 
+def test_an_update_tells_who_entered_and_left_view(context, citizen):
+    with claque.Crowd(context) as crowd:
+        here = crowd.add(citizen, (0, 0, -8))
+        gone = crowd.add(citizen, (200, 0, -8))
+        crowd.view().look_at((0, 2, 0), (0, 1, -8))
+        crowd.update(0)
+        told = crowd.view_changes()
+        assert told["index1"].tolist() == [here.id.index1, gone.id.index1] and told["in_view"].tolist() == [True, False]
+        crowd.update(1)
+        assert len(crowd.view_changes()) == 0
+        gone.set_transform((1, 0, -8))
+        crowd.update(1)
+        assert crowd.view_changes()[["index1", "in_view"]].tolist() == [(gone.id.index1, True)]
+
+
 def test_an_unknown_clip_is_named_with_the_existing_ones(crowd, citizen):
     with pytest.raises(KeyError, match="citizen has no clip 'fly'; it has stand, walk"):
         crowd.add(citizen, clip="fly")

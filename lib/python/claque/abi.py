@@ -71,6 +71,10 @@ class ActorId(Structure):
     _fields_ = [("index1", c_uint32), ("generation", c_uint32)]
 
 
+class ViewChange(Structure):
+    _fields_ = [("actor", ActorId), ("in_view", c_bool)]
+
+
 class Transform(Structure):
     _fields_ = [("position", c_double * 3), ("orientation_xyzw", c_float * 4), ("scale", c_float)]
 
@@ -220,7 +224,8 @@ class AreaInfo(Sized):
 
 # By their names in the headers, for the layout test.
 STRUCTS = {
-    "clq_context_def": ContextDef, "clq_actor": ActorId, "clq_transform": Transform, "clq_play": Play,
+    "clq_context_def": ContextDef, "clq_actor": ActorId, "clq_view_change": ViewChange,
+    "clq_transform": Transform, "clq_play": Play,
     "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_look_at_def": LookAtDef, "clq_texels": Texels,
     "clq_influences": Influences, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,

@@ -1,12 +1,14 @@
 """Crowds, their actors, and views of them (claque/crowd.h, view.h, drawn_actor.h)."""
 
-from ctypes import POINTER, byref, c_double, c_float, c_uint8, c_uint32, c_uint64, c_void_p, string_at
+from ctypes import POINTER, byref, c_double, c_float, c_size_t, c_uint8, c_uint32, c_uint64, c_void_p, string_at
 
 import numpy
 
 from . import abi, abi_records
 from .memory import borrowed, read_only
 from .owner import Owned, made
+
+VIEW_CHANGE = numpy.dtype([("index1", "u4"), ("generation", "u4"), ("in_view", "?")], align=True)
 
 
 class Actor:
@@ -103,6 +105,15 @@ class Crowd(Owned):
         views = views or tuple(self._views)
         pointers = (c_void_p * len(views))(*[view.handle for view in views])
         abi.call("clq_crowd_update", self.handle, c_double(time_s), pointers, c_uint32(len(views)))
+
+    def view_changes(self):
+        """The actors that entered or left view in the last update: an array of index1, generation and in_view."""
+        count = c_size_t()
+        abi.call("clq_crowd_get_view_changes", self.handle, None, c_size_t(0), byref(count))
+        out = numpy.zeros(count.value, VIEW_CHANGE)
+        abi.call("clq_crowd_get_view_changes", self.handle, out.ctypes.data_as(POINTER(abi.ViewChange)), count,
+                 byref(count))
+        return out
 
     def record(self, path, key_bytes=65536):
         """Records the crowd to a file until end_record() or close(). claque.Record plays it."""
