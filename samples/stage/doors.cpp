@@ -1,5 +1,5 @@
-// Doors: opened and closed at the times of the scenario, and by `call = "open NAME"` and `call = "close NAME"`. Who goes
-// through is counted.
+// Doors: opened and closed at the times of the scenario, and by `call = "open NAME"` and `call = "close NAME"`. The
+// people that go through are counted.
 #include "samples/stage/doors.h"
 
 #include <algorithm>
