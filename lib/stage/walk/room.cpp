@@ -16,6 +16,7 @@ constexpr float touch_m = 0.15f;   // between bodies: one that steps aside moves
 constexpr float margin_m = 0.06f;  // between bodies that pass
 constexpr float hampered = 0.7f;   // one that makes less of its speed cannot pass
 constexpr float stuck = 0.1f;      // also where there seems to be room
+constexpr float still_m_s = 0.05f;
 constexpr float any_speed = 1e9f;
 constexpr float left_m = 0.2f;       // so far from its place a walker goes back to it
 constexpr float there_m = 0.05f;     // until it is so near
@@ -143,7 +144,7 @@ void Walkers::go_back(uint32_t i, bool went_back)
     if (distance < (went_back ? there_m : left_m)) return;
     const float made = (a.vel[0] * x + a.vel[2] * z) / distance;
     if (made < -there_m) return;  // it still makes room
-    bool hindered = went_back && made < back_m_s / 2;
+    bool hindered = went_back && made < back_m_s / 5;
     for (int n = 0; n < a.nneis; ++n) {
         const auto k = static_cast<uint32_t>(a.neis[n].idx);
         if (k >= bodies_.size() || !bodies_[k].used()) continue;
@@ -160,6 +161,29 @@ void Walkers::go_back(uint32_t i, bool went_back)
     }
     const float velocity[3] = {x * back_m_s / distance, 0, z * back_m_s / distance};
     crowd_->requestMoveVelocity(static_cast<int>(i), velocity);
+}
+
+// None is pushed that stands: a track does not show it before 0.25 m (docs/tracks.md), and others would be seen to walk
+// through it.
+void Walkers::hold_still()
+{
+    still_.clear();
+    for (uint32_t i = 0; i < bodies_.size(); ++i) {
+        if (!bodies_[i].used() || !rests(bodies_[i])) continue;
+        const dtCrowdAgent &a = agent(i);
+        if (is_moved(a) || length_of(a.vel[0], a.vel[2]) > still_m_s) continue;
+        still_.push_back({i, a.corridor.getFirstPoly(), {a.npos[0], a.npos[1], a.npos[2]}});
+    }
+}
+
+void Walkers::put_still_back()
+{
+    for (const Still &one : still_) {
+        dtCrowdAgent &a = agent(one.index);
+        a.corridor.reset(one.polygon, one.place.data());
+        std::copy(one.place.begin(), one.place.end(), a.npos);
+        std::fill(a.vel, a.vel + 3, 0.0f);
+    }
 }
 
 // Whether it stands before others who stand at its goal: it gets no nearer.

@@ -12,6 +12,7 @@ namespace
 
 constexpr float body_depth = 1.36f;  // from front to back, in radii of the body, which is wider: 0.3 m
 constexpr float min_speed = 0.1f;    // so that no two wait for each other
+constexpr float alone_m = 0.5f;      // so near its goal a walker leaves others no more room than their bodies need
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
 
 float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }
@@ -27,7 +28,9 @@ void Walkers::step()
     plan_ways();
     for (uint32_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].used()) keep_distance(i), make_room(i);
+    hold_still();
     crowd_->update(static_cast<float>(def_.tick_s), nullptr);
+    put_still_back();
     ++ticks_;
     for (uint32_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].used()) look_round(i), record(i);
@@ -43,6 +46,7 @@ void Walkers::keep_distance(uint32_t i)
     const Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
     a.params.maxSpeed = body.speed;
+    a.params.separationWeight = rests(body) ? 0 : std::clamp(between(a.npos, body.goal) - alone_m, 0.0f, 1.0f);
     if (body.state != CLQ_WALKER_WALKS || !(def_.time_gap_s > 0)) return;
     const float length = length_of(a.dvel[0], a.dvel[2]);
     if (!(length > 0)) return;

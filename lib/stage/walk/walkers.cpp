@@ -76,6 +76,7 @@ Walkers::Walkers(clq_navigation &mesh, const clq_walkers_def &def)
     bodies_.resize(def.max_count);
     pieces_.reserve(def.max_count);
     way_.polygons.reserve(max_way_polys);
+    still_.reserve(def.max_count);
     mesh_version_ = mesh.version;
     ++mesh_.holders;
 }

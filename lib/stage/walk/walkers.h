@@ -109,7 +109,9 @@ private:
     float room_towards(uint32_t i, float x, float z, float reach) const;
     void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
     void go_back(uint32_t i, bool went_back);
+    void hold_still();
     // After it.
+    void put_still_back();
     void look_round(uint32_t i);
     void aim(uint32_t i);
     void rest(uint32_t i, clq_walker_state state);
@@ -134,6 +136,12 @@ private:
     std::vector<Body> bodies_;
     std::vector<clq_walker_piece> pieces_;
     Way way_;  // scratch
+    struct Still {
+        uint32_t index;
+        dtPolyRef polygon;
+        Float3 place;
+    };
+    std::vector<Still> still_;  // scratch: those who are not pushed in this tick
     uint64_t ticks_ = 0, plans_ = 0, published_ = 0, mesh_version_ = 0;
     uint32_t next_plan_ = 0;  // the body that is looked at first
     uint32_t count_ = 0;

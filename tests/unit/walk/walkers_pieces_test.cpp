@@ -102,8 +102,7 @@ TEST_F(Published, PiecesFollowEachOtherWithoutGapOrJump)
         }
     }
     std::printf("walkers: their tracks are at most %.3f m beside them\n", farthest);
-    // One that stands and drifts takes a step after 0.25 m (docs/tracks.md); what makes room is smoothed, too.
-    EXPECT_LT(farthest, 0.29);
+    EXPECT_LT(farthest, 0.25);
     EXPECT_GT(count, 15u * 38);
 }
 

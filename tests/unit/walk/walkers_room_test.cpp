@@ -147,3 +147,16 @@ TEST(WalkersThatArrive, StandBesideThoseWhoAreThereAlready)
     for (size_t i = 0; i < all.size(); ++i)  // and then they stand still
         EXPECT_LT(floors::apart(before[i].position, held.info(all[i]).position), 0.02) << i;
 }
+
+TEST(WalkersThatArrive, GetToTheirPlacesAmongOthers)
+{
+    const Held held(floors::two_rooms(false));
+    std::vector<clq_walker> all;
+    for (int i = 0; i < 4; ++i) all.push_back(held.add(3.3 + (i > 1 ? 1.4 : 0.7) * (i % 2 ? 1 : -1), 3));
+    all.push_back(held.add(6.5, 1));
+    held.go(all.back(), 3.3, 3, 0.1f);
+    const Passage passage = until_they_arrive(held, all, {all.back()}, 8);
+    EXPECT_TRUE(passage.arrived);
+    EXPECT_GT(passage.nearest_m, 0.38);
+    EXPECT_LT(away_from(held, all.back(), 3.3, 3), 0.15);
+}
