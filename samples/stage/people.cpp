@@ -63,10 +63,9 @@ void People::send_away(size_t person)
     check(clq_actor_follow_track(crowd_.crowd(), one.actor, away_[one.member].get(), 0));
 }
 
-void People::restore(const std::vector<uint8_t> &crowd)
+void People::restore(const std::vector<uint8_t> &crowd, const std::vector<clq_template *> &all)
 {
     for (const walkers::OwnTrack &track : away_) check(clq_crowd_add_track(crowd_.crowd(), track.get()));
-    const std::vector<clq_template *> all = templates();
     check(clq_crowd_restore(crowd_.crowd(), crowd.data(), crowd.size(), all.data(), static_cast<uint32_t>(all.size())));
 }
 

@@ -31,7 +31,7 @@ public:
     // The actor of a person is nowhere from now on.
     void send_away(size_t person);
     // The crowd as clq_crowd_save wrote it.
-    void restore(const std::vector<uint8_t> &crowd);
+    void restore(const std::vector<uint8_t> &crowd, const std::vector<clq_template *> &all);
 
 private:
     void enter(Person &person, bool walk);

@@ -36,8 +36,10 @@ double clock_s(void *)
 Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, const Setting &setting,
          const RunOptions &options)
     : described_(*scenario.stage),
+      setting_(setting),
       seed_(crowd_options.seed),
       people_(library, crowd_options, scenario, described_.ground.has_value()),
+      flyers_(library, people_.crowd(), described_),
       navigation_(make_navigation(setting, described_)),
       services_(make_services(scenario)),
       arrivals_(arrivals_of(described_, seed_)),
@@ -55,6 +57,14 @@ Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &sc
 
 Run::~Run() = default;
 
+std::vector<clq_template *> Run::templates() const
+{
+    std::vector<clq_template *> all = people_.templates();
+    for (clq_template *flying : flyers_.templates())
+        if (std::find(all.begin(), all.end(), flying) == all.end()) all.push_back(flying);
+    return all;
+}
+
 void Run::make_stage(Library &library, const RunOptions &options)
 {
     clq_stage_def def = clq_stage_def_init();
@@ -69,6 +79,7 @@ void Run::make_stage(Library &library, const RunOptions &options)
     clq_walkers_def walking = clq_walkers_def_init();
     walking.max_count = static_cast<uint32_t>(std::max<size_t>(1, people_.all().size()));
     walking.tick_s = described_.tick_s;
+    walking.smooth_s = 0.3f;  // in a crowd tracks are to stay beside each other
     walking.time_gap_s = static_cast<float>(described_.ground->time_gap_s);
     std::vector<const clq_locomotion *> locomotions;
     for (const walkers::Member &member : people_.cast()) locomotions.push_back(member.locomotion.get());
@@ -136,7 +147,8 @@ bool Run::let_in(uint32_t person, double due_s)
 {
     const ScenarioAgents &of = agents_of(person);
     const Person &who = people_.all()[person];
-    const OnGround on_ground = [this](std::array<double, 3> &point) {
+    const OnGround on_ground = [&](std::array<double, 3> &point) {
+        if (of.from.empty()) point[1] = setting_.height_m(point[0], point[2]);
         if (!navigation_) return true;
         bool found = false;
         double at[3];

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "samples/stage/arrivals.h"
+#include "samples/stage/flyers.h"
 #include "samples/stage/ground.h"
 #include "samples/stage/machines.h"
 #include "samples/stage/people.h"
@@ -53,6 +54,7 @@ public:
 
     clq_crowd *crowd() const { return people_.crowd(); }
     const People &people() const { return people_; }
+    std::vector<clq_template *> templates() const;  // of people and of what flies over them
     const scenes::Staging &stage() const { return described_; }
     double decided_s() const { return clq_stage_get_decided_s(stage_.get()); }
     clq_stage_info info() const;
@@ -102,8 +104,10 @@ private:
     static void called(void *user, const clq_action_call *call);
 
     scenes::Staging described_;
+    const Setting &setting_;
     uint64_t seed_;
     People people_;
+    Flyers flyers_;
     OwnNavigation navigation_;
     OwnStage stage_;
     std::vector<std::unique_ptr<Service>> services_;

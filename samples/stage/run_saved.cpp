@@ -101,7 +101,7 @@ void Run::restore(const std::vector<uint8_t> &bytes)
     take_state(own);
     if (!own.is_empty()) throw Failure("the saved run is that of another scenario");
     check(clq_stage_restore(stage_.get(), this->crowd(), stage.data(), stage.size()));
-    people_.restore(crowd);
+    people_.restore(crowd, templates());
 }
 
 }  // namespace staged

@@ -46,5 +46,7 @@ std::vector<std::unique_ptr<Service>> make_services(const scenes::Scenario &scen
 
 std::unique_ptr<Service> make_exits();
 std::unique_ptr<Service> make_doors(const scenes::Staging &stage);
+std::unique_ptr<Service> make_flights(const scenes::Staging &stage);
+std::unique_ptr<Service> make_market(const scenes::ScenarioTown &town);
 
 }  // namespace staged

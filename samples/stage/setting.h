@@ -32,6 +32,10 @@ public:
     virtual scenes::Daylight light() const = 0;
     // The height of the plane on which shadows fall; none: it is not level.
     virtual std::optional<double> shadows_at_m() const { return 0; }
+    // Of the ground, at x and z.
+    virtual double height_m(double, double) const { return 0; }
+    // Says on what ground shadows fall, where it is no plane.
+    virtual void lay_shadows(clq_shadow_def &) const {}
     // As those of scenes::Scene.
     virtual void prepare(const scenes::Gl &gl) = 0;
     virtual void draw(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
@@ -40,6 +44,8 @@ public:
 // The setting that a scenario has. Throws Failure.
 std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
 
+// Of a scenario with [town].
+std::unique_ptr<Setting> make_town_setting(const scenes::Scenario &scenario);
 std::unique_ptr<Setting> make_area_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
 std::unique_ptr<Setting> make_theatre_setting(scenes::Library &library, const scenes::Scenario &scenario,
                                               uint64_t seed);

@@ -39,7 +39,7 @@ public:
     clq_crowd *crowd() const override { return run_.crowd(); }
     std::vector<clq_actor> actors() const override { return run_.people().actors(); }
     std::string class_of(size_t who) const override { return classes_[who]; }
-    std::vector<clq_template *> templates() const override { return run_.people().templates(); }
+    std::vector<clq_template *> templates() const override { return run_.templates(); }
     clq_camera camera(Shot shot, double aspect, double) const override { return setting_->camera(shot, aspect); }
 
     void place(double time_s) override
@@ -54,6 +54,7 @@ public:
         if (!height_m) return false;
         def = shadows_in(setting_->light());
         def.plane_height = *height_m;
+        setting_->lay_shadows(def);
         return true;
     }
 

@@ -34,6 +34,7 @@ struct Scenario {
     std::optional<Theatre> theatre;
     std::optional<TrackFile> tracks;
     std::optional<Staging> stage;
+    std::optional<ScenarioTown> town;
 
     std::optional<CameraPath> path;
     std::string follow;  // the id of the person whom the camera follows; empty: it stands

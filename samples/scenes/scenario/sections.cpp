@@ -7,9 +7,10 @@ const std::vector<ScenarioSection> &scenario_sections()
 {
     static const std::vector<ScenarioSection> all = {
         {"characters", read_characters}, {"theatre", read_theatre}, {"tracks", read_tracks},
-        {"stage", read_staging},         {"places", read_places},   {"navigation", read_navigation},
-        {"doors", read_doors},           {"agents", read_agents},   {"camera", read_camera},
-        {"light", read_light},           {"ground", read_ground},
+        {"stage", read_staging},         {"town", read_town},       {"places", read_places},
+        {"navigation", read_navigation}, {"doors", read_doors},     {"agents", read_agents},
+        {"flyers", read_flyers},         {"camera", read_camera},   {"light", read_light},
+        {"ground", read_ground},
     };
     return all;
 }

@@ -21,6 +21,8 @@ void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scena
 void read_theatre(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_tracks(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_staging(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_town(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_flyers(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_places(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_doors(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);

@@ -81,7 +81,7 @@ void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scena
         if (!made.area.empty()) described.refuse("has an area and a rectangle; it needs one of the two", "rectangle");
         made.rectangle = read_outline(described, "rectangle");
     }
-    if (made.area.empty() && made.rectangle.empty() && !scenario.theatre)
+    if (made.area.empty() && made.rectangle.empty() && !scenario.theatre && !scenario.town)
         described.refuse("does not say where people walk: it needs 'area', a file, or 'rectangle'");
     if (described.has("radius_m")) made.radius_m = described.number("radius_m", {0.05, 5});
     if (described.has("height_m")) made.height_m = described.number("height_m", {0.2, 10});

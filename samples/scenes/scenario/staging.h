@@ -59,6 +59,23 @@ struct ScenarioAgents {
     std::string at, machine_at;
 };
 
+// One that flies round a closed curve over the others, and of whom they hear.
+struct ScenarioFlyer {
+    std::string name, character, clip = "fly";
+    std::vector<double> path;  // x, y, z of its corners
+    double speed_m_s = 6, scale = 1;
+    std::string sends;  // an event to those near it; empty: none
+    double radius_m = 8, every_s = 0.5;
+    std::string at;
+};
+
+// The town of the scene `vehicle`: people walk on its square and in the streets round it.
+struct ScenarioTown {
+    uint64_t seed = 1;
+    bool market_day = false;
+    double streets_m = 30;  // how far from the square
+};
+
 struct Staging {
     double seconds = 60;
     double tick_s = 0.05, lead_s = 1;
@@ -69,6 +86,7 @@ struct Staging {
     std::optional<ScenarioGround> ground;  // none: nobody walks
     std::vector<ScenarioDoor> doors;
     std::vector<ScenarioAgents> agents;
+    std::vector<ScenarioFlyer> flyers;
     std::string at;
 };
 
