@@ -7,6 +7,7 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/track_arguments.h"
 
 namespace cli
 {
@@ -66,12 +67,22 @@ void bench(const BenchArguments &a)
     else print_counts(report);
 }
 
-void choose_scene(BenchArguments &a)
+void expect_trajectories(const CLI::App &command)
+{
+    for (const char *name :
+         {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters", "--ground"})
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
+}
+
+void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tracks)
 {
     expect_subject(a.subject, a.setup);
+    const bool walks = names_trajectories(a.subject);
+    if (!walks) expect_trajectories(command);
     if (has_no_scene(a)) return;
     read_scenario(a.setup);
-    a.setup.file = a.subject;
+    if (walks) tracks.file = a.subject, a.setup.described = scenario_of(tracks);
+    else a.setup.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
             a.setup.scene = a.subject;
@@ -113,12 +124,14 @@ void choose_counts(BenchArguments &a)
 void add_bench(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<BenchArguments>();
+    auto tracks = std::make_shared<TrackArguments>();
     CLI::App *c = app.add_subcommand(
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option(
         "SCENE", a->subject,
         "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
-        "--flush 16384); a character's file; growth: updates of 1000 to 100 000 actors; vertex_format: packed "
+        "--flush 16384); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
+        "100 000 actors; vertex_format: packed "
         "vertices against floats; readers: how the time of reading grows with the counts in a file; tracks: people "
         "who walk on tracks against "
         "people in place; or shared "
@@ -164,14 +177,16 @@ void add_bench(CLI::App &app, Work &chosen)
                   "For a scene of actors: also write how often each operation of S0's Table 1 was done, for claque "
                   "cost --measured")
         ->type_name("FILE");
+    add_reading_options(*c, *tracks);
+    add_walking_options(*c, *tracks);
     add_hide_option(*c, a->setup);
     add_scene_options(*c, a->setup);
     CLI::Option *json = c->add_flag("--json", a->json, "Print JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a Markdown table")
         ->excludes(json);
     c->add_option("--save", a->save, "Also write the JSON to this file")->excludes(json);
-    c->callback([a, c, count, cull, &chosen] {
-        choose_scene(*a);
+    c->callback([a, tracks, c, count, cull, &chosen] {
+        choose_scene(*c, *a, *tracks);
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
                                        "compares cull modes in scenes of actors: hundred_actors, town_sky, vehicle");

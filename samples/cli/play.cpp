@@ -113,16 +113,8 @@ auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<std::unique
 
 void take_camera(RenderArguments &a, const TrackArguments &tracks)
 {
-    if (tracks.camera.rfind("follow:", 0) == 0) a.setup.camera = "overview";
+    if (!followed_by(tracks.camera).empty()) a.setup.camera = "overview";
     else a.setup.camera = tracks.camera;
-}
-
-std::string check_camera(const std::string &text)
-{
-    for (const char *name : {"overview", "close", "path"})
-        if (text == name) return {};
-    if (text.rfind("follow:", 0) == 0 && text.size() > 7) return {};
-    return "'" + text + "' is no camera: overview, close, path or follow:ID";
 }
 
 }  // namespace

@@ -32,10 +32,30 @@ bool has_path(const SceneArguments &a)
     return a.described ? a.described->path.has_value() : scenes::recorded_path(scene_of(a)) != nullptr;
 }
 
+std::string followed_by(const std::string &camera)
+{
+    const std::string follow = "follow:";
+    return camera.rfind(follow, 0) == 0 ? camera.substr(follow.size()) : "";
+}
+
+std::string check_camera(const std::string &text)
+{
+    for (const char *name : {"overview", "close", "path"})
+        if (text == name) return {};
+    if (!followed_by(text).empty()) return {};
+    return "'" + text + "' is no camera: overview, close, path or follow:ID";
+}
+
+void expect_followed(const SceneArguments &a)
+{
+    if (followed_by(a.camera).empty() || a.make || (a.described && a.described->tracks)) return;
+    throw CLI::ValidationError("--camera", a.camera + " needs people on tracks: --scenario FILE with [tracks]");
+}
+
 MakeScene maker_of(const SceneArguments &a)
 {
     scenes::Scenario shown = *a.described;
-    if (!a.camera.empty()) shown.follow.clear();
+    if (!a.camera.empty()) shown.follow = followed_by(a.camera), shown.follow_at = "--camera " + a.camera;
     return [kept = std::make_shared<const scenes::Scenario>(std::move(shown))](
                scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
         return scenes::make_scenario(library, crowd_options, *kept);

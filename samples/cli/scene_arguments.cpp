@@ -54,9 +54,10 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
     add_size_option(command, a.width, a.height);
     command
         .add_option("--camera", a.camera,
-                    "View of the scene (default overview; path if --path is given, or if the scene has a path and "
-                    "frames are requested)")
-        ->check(CLI::IsMember({"overview", "close", "path"}));
+                    "View of the scene: overview, close, path, or on tracks follow:ID over a person's shoulder "
+                    "(default overview; path if --path is given, or if the scene has a path and frames are requested)")
+        ->check(CLI::Validator(check_camera, ""))
+        ->type_name("VIEW");
     command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
     command.add_option("--context", a.context, "Source of OpenGL; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
@@ -132,6 +133,7 @@ std::string scene_of(const SceneArguments &a)
 
 void check_scene_usage(const SceneArguments &a)
 {
+    expect_followed(a);
     if (!a.path.empty() && !a.camera.empty() && a.camera != "path")
         throw CLI::ValidationError("--path", "the camera " + a.camera + " follows no path");
     if (a.camera == "path" && !has_path(a))

@@ -67,8 +67,13 @@ int core_count();  // available to threads: [1, 256]
 void expect_subject(const std::string &scene, const SceneArguments &arguments);
 // Reads the scenario, if there is one. Throws scenes::Failure.
 void read_scenario(SceneArguments &arguments);
-// What makes its scene. A camera that is given is not the one that follows a person.
+// What makes its scene. A camera that is given replaces the scenario's own; follow:ID follows a person on tracks.
 MakeScene maker_of(const SceneArguments &arguments);
+// overview, close, path, or follow:ID. Returns "", or a sentence that says what is wrong.
+std::string check_camera(const std::string &text);
+std::string followed_by(const std::string &camera);  // the ID of follow:ID; empty: it follows no one
+// Throws CLI::ValidationError if the camera follows a person in a scene without tracks.
+void expect_followed(const SceneArguments &arguments);
 // Whether its people sit in a theatre.
 bool is_theatre(const SceneArguments &arguments);
 // The selected scene, and whether its camera moves along a path: one of its own, or --path.

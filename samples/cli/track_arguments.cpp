@@ -1,5 +1,7 @@
 #include "samples/cli/track_arguments.h"
 
+#include <cctype>
+#include <filesystem>
 #include <sstream>
 
 #include "samples/scenes/scenario/tracks.h"
@@ -85,8 +87,33 @@ scenes::walkers::Options walkers_of(const TrackArguments &a)
     for (const std::string &name : names_in(a.characters))
         options.characters.push_back(scenes::walkers::class_of(name));
     options.area = a.area;
-    if (a.camera.rfind("follow:", 0) == 0) options.follow = a.camera.substr(7);
+    options.follow = followed_by(a.camera);
     return options;
+}
+
+bool names_trajectories(const std::string &subject)
+{
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    if (!fs::is_regular_file(subject, ignored)) return false;
+    std::string ending = fs::path(subject).extension().string();
+    for (char &c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return ending != ".gltf" && ending != ".glb" && ending != ".clq";
+}
+
+std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a)
+{
+    const scenes::walkers::Options options = walkers_of(a);
+    auto out = std::make_shared<scenes::Scenario>();
+    out->name = std::filesystem::path(a.file).filename().string();
+    out->tracks.emplace();
+    out->tracks->path = a.file;
+    out->tracks->columns = a.columns;
+    out->tracks->reading = options.reading;
+    out->tracks->reading.columns = nullptr;
+    out->characters = options.characters;
+    out->area = a.area;
+    return out;
 }
 
 }  // namespace cli

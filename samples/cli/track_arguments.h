@@ -23,4 +23,9 @@ std::vector<std::string> names_in(const std::string &list);  // separated by com
 clq_trajectories_def reading_of(const TrackArguments &arguments);
 scenes::walkers::Options walkers_of(const TrackArguments &arguments);
 
+// Whether a command's subject is a file of trajectories, not a scene or a character.
+bool names_trajectories(const std::string &subject);
+// A scenario of the people in the file alone.
+std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &arguments);
+
 }  // namespace cli

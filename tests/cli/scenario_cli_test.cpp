@@ -197,6 +197,47 @@ TEST_F(ScenarioCommand, BenchMeasuresTracksAlongThePathAndWhereMostPeopleAre)
     EXPECT_NE(counted.err.find("file of trajectories"), std::string::npos) << counted.err;
 }
 
+TEST_F(ScenarioCommand, ACameraFollowsThePersonThatIsNamed)
+{
+    const std::string text = "name = \"plain\"\n[tracks]\nfile = \"" + source +
+                             "/samples/scenarios/corner.csv\"\ncolumns = \"id,frame,x,y\"\nrate_hz = 2\nunit = \"m\"\n";
+    std::ofstream(path("plain.toml")) << text;
+    std::ofstream(path("follows.toml")) << text << "[camera]\nfollow = \"4\"\n";
+    const Json followed = render({"--scenario", path("plain.toml"), "--time", "9", "--camera", "follow:4"});
+    EXPECT_EQ(followed["camera"], "follow:4");
+    EXPECT_EQ(followed["frames"][0]["picture_hash"], hash({"--scenario", path("follows.toml"), "--time", "9"}))
+        << "as the scenario says it";
+    EXPECT_NE(followed["frames"][0]["picture_hash"], hash({"--scenario", path("plain.toml"), "--time", "9"}));
+    const Outcome nowhere = claque({"render", "--scene", "plaza", "--camera", "follow:4", "--out", path("n.png")});
+    EXPECT_EQ(nowhere.code, 2);
+    EXPECT_NE(nowhere.err.find("needs people on tracks"), std::string::npos) << nowhere.err;
+    const Outcome gone =
+        claque({"render", "--scenario", corner, "--camera", "follow:99", "--time", "9", "--out", path("n.png")});
+    EXPECT_NE(gone.code, 0);
+    EXPECT_NE(gone.err.find("--camera follow:99"), std::string::npos) << gone.err;
+}
+
+TEST_F(ScenarioCommand, BenchMeasuresAFileOfTrajectoriesByItself)
+{
+    const std::vector<std::string> quick = {"--frames", "2",      "--cache", "full,none", "--strategy",
+                                            "fused",    "--size", "48x36",   "--json"};
+    std::vector<std::string> file = {
+        "bench", source + "/samples/scenarios/corner.csv", "--rate", "2", "--unit", "m", "--columns", "id,frame,x,y"};
+    file.insert(file.end(), quick.begin(), quick.end());
+    const Outcome done = claque(file);
+    ASSERT_EQ(done.code, 0) << done.err;
+    const Json report = Json::parse(done.out);
+    EXPECT_EQ(report["scene"], "corner.csv");
+    ASSERT_EQ(report["runs"].size(), 2u);
+    for (const Json &run : report["runs"]) {
+        EXPECT_EQ(run["count"], 14);
+        EXPECT_GE(run["counters"]["visible"], 9);
+    }
+    const Outcome other = claque({"bench", "plaza", "--rate", "2"});
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("is for a file of trajectories"), std::string::npos) << other.err;
+}
+
 TEST_F(ScenarioCommand, ParityTakesTracks)
 {
     for (const char *what : {"export", "capture"}) {
