@@ -68,6 +68,13 @@ void add_stage(CLI::App &app, Work &chosen)
     CLI::Option *apart = c->add_flag("--apart", a->apart, "Decisions in a thread of their own (default)");
     c->add_flag("--in-turn", a->in_turn, "Decisions and drawing in turn on one thread; the record is the same")
         ->excludes(apart);
+    CLI::Option *live = c->add_flag("--live", a->live,
+                                    "Run at the pace of the clock, with a budget in microseconds; a scenario that "
+                                    "changes meanwhile is taken over, unless it is recorded");
+    for (const char *of_all_frames : {"--frames", "--save"}) live->excludes(c->get_option(of_all_frames));
+    c->add_flag("--draw", a->draw, "Draw each frame without keeping the picture, for measuring")->needs(live);
+    c->add_option("--stall", a->stall_ms, "For measuring: a decision that takes so many milliseconds, every 5 s")
+        ->check(CLI::Range(0.0, 10000.0));
     c->callback([a, &chosen] {
         check_usage(*a);
         chosen = [a] { run_stage(*a); };

@@ -13,32 +13,6 @@ namespace cli
 namespace
 {
 
-// A run and, if there are pictures, what draws it.
-struct Staging {
-    Staging(scenes::Library &library, const StageArguments &a)
-    {
-        LoadedCharacter loaded;
-        scenes::SceneOptions options = scene_options(a.setup, loaded);
-        staged::StageOptions stage;
-        stage.apart = !a.in_turn;
-        options.make = [&](scenes::Library &with, const scenes::CrowdOptions &crowd_options) {
-            auto made = staged::make_staged(with, crowd_options, *a.setup.described, stage);
-            scene = made.get();
-            return made;
-        };
-        if (a.frames.empty()) {
-            own = options.make(library, options.crowd_options);
-            return;
-        }
-        if (!a.setup.described->theatre) options.shadows.form = scenes::ShadowChoice::Form::blob;
-        renderer.emplace(library, options);
-    }
-
-    std::unique_ptr<scenes::Scene> own;
-    std::optional<scenes::SceneRenderer> renderer;
-    staged::StagedScene *scene = nullptr;
-};
-
 void write_picture(const StageArguments &a, scenes::SceneRenderer &renderer, int frame)
 {
     renderer.draw_environment();
@@ -104,38 +78,91 @@ Json report_of(const StageArguments &a, staged::Run &run, int frames)
             {"hash", hex(info.hash)}};
 }
 
+// All frames from one on. Returns their number.
+int show_all(const StageArguments &a, OpenRun &run, int first, Progress &progress)
+{
+    constexpr int frames_between_releases = 250;
+    clq_crowd *crowd = run.scene->crowd();
+    const int last = static_cast<int>(a.seconds * a.fps + 1e-9);
+    const int saved = a.at_s < 0 ? last : static_cast<int>(a.at_s * a.fps + 1e-9);
+    for (int frame = first; frame <= last; ++frame) {
+        const double time_s = frame / a.fps;
+        if (is_drawn(a, frame)) {
+            run.renderer->update(time_s);
+            write_picture(a, *run.renderer, frame);
+        } else {
+            run.scene->place(time_s);
+            scenes::check(clq_crowd_update(crowd, time_s, nullptr, 0));
+        }
+        if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(crowd, nullptr));
+        if (!a.save.empty() && frame == saved) save(a, *run.scene);
+        progress.step(static_cast<size_t>(frame - first) + 1, static_cast<size_t>(last - first) + 1);
+    }
+    return std::max(0, last + 1 - first);
+}
+
 }  // namespace
+
+staged::StageOptions stage_options(const StageArguments &a)
+{
+    staged::StageOptions stage;
+    stage.apart = !a.in_turn;
+    stage.run.live = a.live;
+    stage.run.stall_s = a.stall_ms / 1000;
+    return stage;
+}
+
+OpenRun::OpenRun(scenes::Library &library, const StageArguments &a) { open(library, a, nullptr); }
+
+OpenRun::OpenRun(scenes::Library &library, const StageArguments &a, std::unique_ptr<staged::StagedScene> made)
+{
+    open(library, a, std::move(made));
+}
+
+void OpenRun::open(scenes::Library &library, const StageArguments &a, std::unique_ptr<staged::StagedScene> made)
+{
+    LoadedCharacter loaded;
+    scenes::SceneOptions options = scene_options(a.setup, loaded);
+    options.make = [&](scenes::Library &with, const scenes::CrowdOptions &crowd_options) {
+        if (!made) made = staged::make_staged(with, crowd_options, *a.setup.described, stage_options(a));
+        scene = made.get();
+        return std::unique_ptr<scenes::Scene>(std::move(made));
+    };
+    if (a.frames.empty() && !a.draw) {
+        own = options.make(library, options.crowd_options);
+        return;
+    }
+    if (!a.setup.described->theatre) options.shadows.form = scenes::ShadowChoice::Form::blob;
+    renderer.emplace(library, options);
+}
+
+void OpenRun::show(double time_s)
+{
+    if (renderer) {
+        renderer->frame(time_s);
+        return;
+    }
+    scene->place(time_s);
+    scenes::check(clq_crowd_update(scene->crowd(), time_s, nullptr, 0));
+}
 
 void run_stage(const StageArguments &a)
 {
-    constexpr int frames_between_releases = 250;
     Progress progress("claque");
     for (const std::string &path : {a.record, a.json, a.save, a.out.empty() ? "" : frame_path(a.out, 0)})
         if (!path.empty()) expect_writable(path);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
-    Staging staging(library, a);
+    auto open = std::make_unique<OpenRun>(library, a);
     std::optional<RunRecord> record;
-    clq_crowd *crowd = staging.scene->crowd();
-    const int first = a.restore.empty() ? 0 : restore(a, *staging.scene);
-    const int last = static_cast<int>(a.seconds * a.fps + 1e-9);
-    const int saved = a.at_s < 0 ? last : static_cast<int>(a.at_s * a.fps + 1e-9);
-    if (!a.record.empty()) record.emplace(a.record), record->begin(crowd);
-    for (int frame = first; frame <= last; ++frame) {
-        const double time_s = frame / a.fps;
-        if (is_drawn(a, frame)) {
-            staging.renderer->update(time_s);
-            write_picture(a, *staging.renderer, frame);
-        } else {
-            staging.scene->place(time_s);
-            scenes::check(clq_crowd_update(crowd, time_s, nullptr, 0));
-        }
-        if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(crowd, nullptr));
-        if (!a.save.empty() && frame == saved) save(a, *staging.scene);
-        progress.step(static_cast<size_t>(frame - first) + 1, static_cast<size_t>(last - first) + 1);
-    }
-    staging.scene->rest();
-    Json report = report_of(a, staging.scene->run(), std::max(0, last + 1 - first));
+    const int first = a.restore.empty() ? 0 : restore(a, *open->scene);
+    if (!a.record.empty()) record.emplace(a.record), record->begin(open->scene->crowd());
+    Json times;
+    int frames = 0;
+    if (a.live) times = show_live(library, a, open, !record), frames = times["frames"].get<int>();
+    else frames = show_all(a, *open, first, progress);
+    open->scene->rest();
+    Json report = report_of(a, open->scene->run(), frames);
     if (record) {
         const clq_recording_info info = record->end();
         report["record"] = {{"file", a.record},
@@ -145,11 +172,12 @@ void run_stage(const StageArguments &a)
                             {"pieces", info.tracks}};
     }
     report["doors"] = Json::array();
-    for (const staged::DoorCount &door : staging.scene->run().doors())
+    for (const staged::DoorCount &door : open->scene->run().doors())
         report["doors"].push_back({{"name", door.name},
                                    {"width_m", door.width_m},
                                    {"passed", door.passed_s.size()},
                                    {"people_per_s_m", staged::flow_of(door.passed_s, door.width_m)}});
+    if (a.live) report["live"] = times;
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +

@@ -31,6 +31,12 @@ double clock_s(void *)
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+// Not a sleep: it takes a core as a long decision does.
+void work_for(double seconds)
+{
+    for (const double end_s = clock_s(nullptr) + seconds; clock_s(nullptr) < end_s;) continue;
+}
+
 }  // namespace
 
 Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, const Setting &setting,
@@ -38,6 +44,7 @@ Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &sc
     : described_(*scenario.stage),
       setting_(setting),
       seed_(crowd_options.seed),
+      options_(options),
       people_(library, crowd_options, scenario, described_.ground.has_value()),
       flyers_(library, people_.crowd(), described_),
       navigation_(make_navigation(setting, described_)),
@@ -120,6 +127,9 @@ void Run::tick()
     const double end_s = end_of_tick();
     for (const auto &service : services_) service->before_tick(*this, end_s);
     let_in();
+    if (options_.stall_s > 0 &&
+        std::floor(end_s / options_.stall_every_s) != std::floor((end_s - described_.tick_s) / options_.stall_every_s))
+        work_for(options_.stall_s);
     check(clq_stage_step(stage_.get(), end_s));
     ++ticks_;
     serve();

@@ -18,6 +18,8 @@ namespace staged
 
 struct RunOptions {
     bool live = false;  // the budget counts microseconds, and the record is what happened
+    // For measuring: a decision at work for so long, whenever this much of the run's time has passed; 0: none.
+    double stall_s = 0, stall_every_s = 5;
 };
 
 struct RunCounts {
@@ -106,6 +108,7 @@ private:
     scenes::Staging described_;
     const Setting &setting_;
     uint64_t seed_;
+    RunOptions options_;
     People people_;
     Flyers flyers_;
     OwnNavigation navigation_;

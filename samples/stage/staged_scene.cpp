@@ -18,12 +18,14 @@ public:
         : setting_(make_setting(library, scenario, crowd_options.seed)),
           run_(library, crowd_options, scenario, *setting_, options.run),
           leaves_(scenario.stage->doors),
-          flows_(run_, options.apart)
+          flows_(run_, options.apart, options.run.live)
     {
         for (const Person &person : run_.people().all()) classes_.push_back(scenario.characters[person.member].name);
     }
 
     Run &run() override { return run_; }
+    double behind_s() override { return flows_.behind_s(); }
+    double kept_s() override { return flows_.kept_s(); }
     void rest() override { flows_.rest(); }
     std::vector<uint8_t> save() override
     {

@@ -17,6 +17,8 @@ public:
     virtual Run &run() = 0;
     // Waits until no more is decided for what was shown so far.
     virtual void rest() = 0;
+    virtual double behind_s() = 0;  // as Flows
+    virtual double kept_s() = 0;
     // Run::save and Run::restore, with both flows at rest.
     virtual std::vector<uint8_t> save() = 0;
     virtual void restore(const std::vector<uint8_t> &bytes) = 0;

@@ -84,6 +84,23 @@ TEST_F(StageCommand, GoesOnFromAStateAsItWouldHaveGoneOn)
     EXPECT_NE(other.err.find("state: "), std::string::npos) << other.err;
 }
 
+TEST_F(StageCommand, GoesLiveAndRecordsWhatHappened)
+{
+    for (const char *flow : {"--apart", "--in-turn"}) {
+        const Json live = run({"--live", "--seconds", "2", flow, "--record", path("live.clt")});
+        const int frames = live["live"]["frames"].get<int>();
+        EXPECT_GE(frames, 1);
+        EXPECT_LE(frames, 10);
+        EXPECT_EQ(live["record"]["steps"], frames + 1) << "and the one before the clock began";
+        EXPECT_EQ(live["came"], 24);
+        const Outcome played =
+            claque({"play", path("live.clt"), "--time", "1", "--size", "48x32", "--out", path("l.png")});
+        EXPECT_EQ(played.code, 0) << played.err;
+    }
+    const Outcome both = claque({"stage", path("hall.toml"), "--live", "--frames", "0:1", "--out", path("%d.png")});
+    EXPECT_EQ(both.code, 2);
+}
+
 TEST_F(StageCommand, LeavesNoHalfFile)
 {
     std::ofstream(path("evacuation/visitor.toml"), std::ios::app) << "\n[states.idle]\ninitial = true\n";
