@@ -42,7 +42,8 @@ private:
 
 staged::StageOptions stage_options(const StageArguments &arguments);
 
-// Shows the run at the pace of the machine's clock, and takes over its file when that changes. The report has the times.
+// Shows the run at the pace of the machine's clock, and takes over its file when that changes. The report has the
+// times.
 Json show_live(scenes::Library &library, const StageArguments &arguments, std::unique_ptr<OpenRun> &run,
                bool is_watched);
 
