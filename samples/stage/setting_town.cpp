@@ -36,7 +36,7 @@ public:
         };
         const bool is_close = shot == Shot::close;
         const std::array<double, 3> eye = is_close ? at(square.fountain_u + 4.5, square.fountain_v - 4.5, 2.1)
-                                                   : at(square.fountain_u + 8, square.fountain_v + 62, 34);
+                                                   : at(square.fountain_u + 6, square.fountain_v + 50, 36);
         const std::array<double, 3> target = is_close ? at(square.fountain_u + 20, square.fountain_v - 3.5, 1.1)
                                                       : at(square.fountain_u, square.fountain_v - 4, 0);
         return look({eye[0], eye[1], eye[2]}, {target[0], target[1], target[2]}, is_close ? 55 : 46, aspect,

@@ -199,6 +199,7 @@ TEST(Market, IsTheSameAgainAndAfterARestore)
     }
     World again(market(20, 5, 15), 2, true);
     again.scene->restore(bytes);
+    EXPECT_TRUE(again.scene->save() == bytes);
     std::vector<uint64_t> now;
     for (int second = 12; second <= 24; ++second) now.push_back(again.show(second));
     EXPECT_EQ(now, lists);
