@@ -31,6 +31,7 @@ int main(int argc, char **argv)
                            add_parity,
                            add_tracks,
                            add_play,
+                           add_view,
 #ifdef CLAQUE_STAGED
                            add_stage,
 #endif

@@ -35,5 +35,6 @@ void add_parity(CLI::App &app, Work &chosen);
 void add_tracks(CLI::App &app, Work &chosen);
 void add_play(CLI::App &app, Work &chosen);
 void add_stage(CLI::App &app, Work &chosen);
+void add_view(CLI::App &app, Work &chosen);
 
 }  // namespace cli

@@ -1,0 +1,73 @@
+#include "samples/view/gl_calls.h"
+
+// One line a function: its result's type, its name, its parameters, its arguments.
+#define CLAQUE_VIEW_GL(FUNCTION)                                                                                       \
+    FUNCTION(void, BindTexture, (unsigned a, unsigned b), (a, b))                                                      \
+    FUNCTION(void, BlendFunc, (unsigned a, unsigned b), (a, b))                                                        \
+    FUNCTION(void, ColorPointer, (int a, unsigned b, int c, const void *d), (a, b, c, d))                              \
+    FUNCTION(void, DeleteTextures, (int a, const unsigned *b), (a, b))                                                 \
+    FUNCTION(void, Disable, (unsigned a), (a))                                                                         \
+    FUNCTION(void, DisableClientState, (unsigned a), (a))                                                              \
+    FUNCTION(void, DrawElements, (unsigned a, int b, unsigned c, const void *d), (a, b, c, d))                         \
+    FUNCTION(void, Enable, (unsigned a), (a))                                                                          \
+    FUNCTION(void, EnableClientState, (unsigned a), (a))                                                               \
+    FUNCTION(void, GenTextures, (int a, unsigned *b), (a, b))                                                          \
+    FUNCTION(void, GetIntegerv, (unsigned a, int *b), (a, b))                                                          \
+    FUNCTION(void, GetTexEnviv, (unsigned a, unsigned b, int *c), (a, b, c))                                           \
+    FUNCTION(void, LoadIdentity, (), ())                                                                               \
+    FUNCTION(void, MatrixMode, (unsigned a), (a))                                                                      \
+    FUNCTION(void, Ortho, (double a, double b, double c, double d, double e, double f), (a, b, c, d, e, f))            \
+    FUNCTION(void, PixelStorei, (unsigned a, int b), (a, b))                                                           \
+    FUNCTION(void, PolygonMode, (unsigned a, unsigned b), (a, b))                                                      \
+    FUNCTION(void, PopAttrib, (), ())                                                                                  \
+    FUNCTION(void, PopMatrix, (), ())                                                                                  \
+    FUNCTION(void, PushAttrib, (unsigned a), (a))                                                                      \
+    FUNCTION(void, PushMatrix, (), ())                                                                                 \
+    FUNCTION(void, Scissor, (int a, int b, int c, int d), (a, b, c, d))                                                \
+    FUNCTION(void, ShadeModel, (unsigned a), (a))                                                                      \
+    FUNCTION(void, TexCoordPointer, (int a, unsigned b, int c, const void *d), (a, b, c, d))                           \
+    FUNCTION(void, TexEnvi, (unsigned a, unsigned b, int c), (a, b, c))                                                \
+    FUNCTION(void, TexImage2D, (unsigned a, int b, int c, int d, int e, int f, unsigned g, unsigned h, const void *i), \
+             (a, b, c, d, e, f, g, h, i))                                                                              \
+    FUNCTION(void, TexParameteri, (unsigned a, unsigned b, int c), (a, b, c))                                          \
+    FUNCTION(void, VertexPointer, (int a, unsigned b, int c, const void *d), (a, b, c, d))                             \
+    FUNCTION(void, Viewport, (int a, int b, int c, int d), (a, b, c, d))
+
+namespace view
+{
+namespace
+{
+
+struct GlCalls {
+#define CLAQUE_VIEW_MEMBER(result, name, parameters, arguments) result(*name) parameters = nullptr;
+    CLAQUE_VIEW_GL(CLAQUE_VIEW_MEMBER)
+#undef CLAQUE_VIEW_MEMBER
+};
+
+GlCalls gl_calls;
+
+}  // namespace
+
+bool load_gl_calls(scenes::GetProcAddress get, void *user, std::string &missing)
+{
+#define CLAQUE_VIEW_LOAD(result, name, parameters, arguments)                      \
+    gl_calls.name = reinterpret_cast<result(*) parameters>(get(user, "gl" #name)); \
+    if (!gl_calls.name) {                                                          \
+        missing = "gl" #name;                                                      \
+        return false;                                                              \
+    }
+    CLAQUE_VIEW_GL(CLAQUE_VIEW_LOAD)
+#undef CLAQUE_VIEW_LOAD
+    return true;
+}
+
+}  // namespace view
+
+// Hidden, so that no library which the program opens takes them for libGL's.
+extern "C" {
+#define CLAQUE_VIEW_DEFINE(result, name, parameters, arguments)       \
+    __attribute__((visibility("hidden"))) result gl##name parameters; \
+    result gl##name parameters { return view::gl_calls.name arguments; }
+CLAQUE_VIEW_GL(CLAQUE_VIEW_DEFINE)
+#undef CLAQUE_VIEW_DEFINE
+}

@@ -1,0 +1,15 @@
+// The GL functions that Dear ImGui's OpenGL2 backend calls. The backend expects to be linked with libGL; here its calls
+// go to the functions of the current context, which may be OSMesa's, EGL's or a window's.
+#pragma once
+
+#include <string>
+
+#include "samples/scenes/gl.h"
+
+namespace view
+{
+
+// From the current context, for all later calls. Returns false with the name of the missing function if it cannot.
+bool load_gl_calls(scenes::GetProcAddress get, void *user, std::string &missing);
+
+}  // namespace view

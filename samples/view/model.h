@@ -1,0 +1,95 @@
+// All that the view shows and that a person can change, apart from how it is drawn. Panels read and change it; the
+// world (world.h) follows it.
+#pragma once
+
+#include <claque/claque.h>
+
+#include <array>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/view/free_camera.h"
+
+namespace view
+{
+
+// Changing the strategy changes the next frame; changing anything else makes the world anew.
+struct Switches {
+    int strategy = 0;  // of clq_draw_strategy
+    int cache = 0;     // of clq_cache_mode; 3: key-poses for all
+    int cull = 0;      // of clq_cull_mode
+    int format = 0;    // of clq_vertex_format
+    int levels = 0;    // people without levels of detail; with them; with them at a third of the distance
+    int threads = 1;
+};
+
+enum class Tint { nothing, level, rate, age };
+
+struct Picked {
+    clq_actor actor = {};
+    uint32_t zone = CLQ_NONE;
+};
+
+// Of one frame. Times are in milliseconds; negative: not measured.
+struct FrameCost {
+    double place_ms = -1, update_ms = -1, surroundings_ms = -1, crowd_ms = -1, interface_ms = -1;
+    clq_draw_stats drawn = {};
+    clq_view_stats seen = {};
+    clq_crowd_stats crowd = {};
+};
+
+struct Clock {
+    double time_s = 0, first_s = 0, last_s = 60;
+    float speed = 1;
+    bool paused = false;
+};
+
+enum class CameraMode { scene, free, follow };
+
+struct View {
+    CameraMode mode = CameraMode::scene;
+    int shot = 0;  // of the scene, by scenes::Shot
+    FreeCamera free;
+    std::array<std::optional<FreeCamera>, 9> kept;  // by number - 1
+    struct Key {
+        double time_s;
+        FreeCamera camera;
+    };
+    std::vector<Key> path;
+};
+
+// What is to be done once, in the next frame.
+struct Wishes {
+    bool picture = false, save_path = false, frame_selection = false, anew = false;
+    std::optional<std::array<float, 2>> pick;  // a point of the picture, -1 to 1
+    std::optional<uint32_t> clip;              // that the picked individual fades to
+};
+
+struct Sections {
+    bool camera = true, person = true, character = false, frame = false;
+};
+
+struct Model {
+    std::string message;  // about the last thing that was done
+    Clock clock;
+    View view;
+    Switches switches;
+    Tint tint = Tint::nothing;
+    bool spheres = false, panel = true;
+    std::string saved_as = "view";  // the beginning of the names of pictures and paths
+    Picked picked;
+    float fade_s = 0.3f;
+    int curve = 1;                                // of clq_curve
+    std::map<uint32_t, std::vector<float>> dofs;  // set by hand, by index1; NaN: left to the clip
+    Sections open;
+    FrameCost cost;
+    std::deque<FrameCost> history;  // ten seconds at 25 frames a second
+    Wishes wishes;
+};
+
+constexpr size_t history_frames = 250;
+
+}  // namespace view

@@ -1,0 +1,78 @@
+// The testing ground of the picked individual's character: its clips, its degrees of freedom, its levels, and what the
+// library said about it.
+#include <limits>
+
+#include "samples/view/panels.h"
+
+namespace view
+{
+namespace
+{
+
+void clips(Ui &ui, Model &model, const clq_template *tmpl, uint32_t count)
+{
+    std::vector<std::string> names;
+    for (uint32_t k = 0; k < count; ++k) {
+        clq_clip_info clip = clq_clip_info_init();
+        if (clq_template_get_clip(tmpl, k, &clip) == CLQ_OK) names.emplace_back(clip.name);
+    }
+    int chosen = -1;
+    if (!names.empty() && ui.choice("clip", chosen, names)) model.wishes.clip = static_cast<uint32_t>(chosen);
+    if (names.empty()) return ui.faint("It has no clips.");
+    ui.slider("fade", model.fade_s, 0, 2, "%.2f s");
+    ui.choice("curve", model.curve, {"linear", "smooth", "inertial"});
+}
+
+void degrees_of_freedom(Ui &ui, Model &model, const clq_template *tmpl, uint32_t count)
+{
+    if (count == 0) return ui.faint("It has no degrees of freedom.");
+    const uint32_t index1 = model.picked.actor.index1;
+    const auto found = model.dofs.find(index1);
+    std::vector<float> values(count, std::numeric_limits<float>::quiet_NaN());
+    if (found != model.dofs.end() && found->second.size() == count) values = found->second;
+    bool changed = false;
+    for (uint32_t k = 0; k < count; ++k) {
+        clq_dof_info dof = clq_dof_info_init();
+        if (clq_template_get_dof(tmpl, k, &dof) != CLQ_OK) continue;
+        float value = values[k] == values[k] ? values[k] : dof.rest;
+        if (!ui.slider(dof.name, value, dof.min, dof.max, "%.2f")) continue;
+        values[k] = value;
+        changed = true;
+    }
+    if (changed) model.dofs[index1] = values;
+    if (found == model.dofs.end()) return;
+    if (ui.button("leave joints to clips")) model.dofs.erase(index1);
+}
+
+void levels(Ui &ui, const clq_template *tmpl, const clq_template_info &info)
+{
+    ui.text("levels: from, triangles, vertices, nodes");
+    for (uint32_t k = 0; k < info.level_count; ++k) {
+        clq_level_info level = clq_level_info_init();
+        if (clq_template_get_level(tmpl, k, &level) != CLQ_OK) continue;
+        ui.faint(std::to_string(k) + ": " + fixed(static_cast<double>(level.lod_min_m), 1) + " m, " +
+                 whole(level.triangle_count) + ", " + whole(level.vertex_count) + ", " + whole(level.node_count));
+    }
+}
+
+}  // namespace
+
+void character_panel(Ui &ui, Model &model, const World &world)
+{
+    clq_actor_info info = clq_actor_info_init();
+    if (!world.find(model.picked.actor, info)) return ui.faint("Click a person to test its character.");
+    clq_template_info tmpl = clq_template_info_init();
+    if (clq_template_get_info(info.tmpl, &tmpl) != CLQ_OK) return;
+    ui.row("character", tmpl.name);
+    ui.row("triangles", whole(tmpl.triangle_count) + ", " + whole(tmpl.dirty_count) + " in several zones");
+    ui.row("zones", whole(tmpl.zone_count));
+    ui.row("memory", memory(tmpl.bytes));
+    clips(ui, model, info.tmpl, tmpl.clip_count);
+    degrees_of_freedom(ui, model, info.tmpl, tmpl.dof_count);
+    levels(ui, info.tmpl, tmpl);
+    const std::vector<std::string> warnings = world.warnings();
+    if (warnings.empty()) ui.faint("The library has no warnings.");
+    for (const std::string &warning : warnings) ui.warning(warning);
+}
+
+}  // namespace view

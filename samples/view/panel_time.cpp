@@ -1,0 +1,29 @@
+// Time: pause, steps, speed, and any moment by a slider.
+#include <cmath>
+
+#include "samples/view/panels.h"
+
+namespace view
+{
+
+void time_bar(Ui &ui, Model &model)
+{
+    constexpr double step_s = 0.04;
+    Clock &clock = model.clock;
+    ui.toggle("pause", clock.paused);
+    if (ui.button("back", true)) clock.paused = true, clock.time_s -= step_s;
+    if (ui.button("step", true)) clock.paused = true, clock.time_s += step_s;
+    if (ui.button("picture", true)) model.wishes.picture = true;
+    ui.toggle("panels", model.panel, true);
+    ui.rest_of_line(9);
+    ui.slider("speed", clock.speed, 0.05f, 8, "%.2f x", true);
+    // The slider reaches as far as the scene does; a scene without an end is given another minute when it is over.
+    while (clock.time_s > clock.last_s) clock.last_s += 60;
+    float at = static_cast<float>(clock.time_s);
+    if (ui.slider("time", at, static_cast<float>(clock.first_s), static_cast<float>(clock.last_s), "%.2f s"))
+        clock.time_s = static_cast<double>(at);
+    if (model.message.empty()) ui.faint("drag: turn, shift: pan, wheel: zoom, WASD: walk, F: frame, tab: panels");
+    else ui.faint(model.message);
+}
+
+}  // namespace view

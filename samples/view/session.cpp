@@ -1,0 +1,69 @@
+#include "samples/view/session.h"
+
+#include <algorithm>
+
+#include "samples/scenes/odeon/toml_table.h"
+#include "samples/view/gl_calls.h"
+
+namespace view
+{
+namespace
+{
+
+const Switches &with_gl(Surface &surface, const Switches &switches)
+{
+    std::string missing;
+    if (!load_gl_calls(surface.get_proc_address(), surface.user(), missing))
+        throw scenes::Failure("this OpenGL context lacks " + missing);
+    return switches;
+}
+
+std::string list_of(const Point &p)
+{
+    return "[" + fixed(p[0], 4) + ", " + fixed(p[1], 4) + ", " + fixed(p[2], 4) + "]";
+}
+
+}  // namespace
+
+Session::Session(Surface &surface, Open open, const Switches &switches, float scale, Now now)
+    : now_(now), world_(surface, std::move(open), with_gl(surface, switches), now), ui_(scale)
+{
+    model_.switches = switches;
+    model_.clock.first_s = model_.clock.time_s = world_.first_s();
+    model_.clock.last_s = world_.last_s();
+    if (world_.has_path()) model_.view.shot = 2;
+}
+
+void Session::frame(const Input &input)
+{
+    Clock &clock = model_.clock;
+    if (!clock.paused) clock.time_s += input.elapsed_s * static_cast<double>(clock.speed);
+    const double start = now_ ? now_() : 0;
+    ui_.begin(input);
+    panels(ui_, model_, world_, input);
+    // The rest of the window is the picture.
+    const Layout layout = layout_of(ui_, model_, input.width, input.height);
+    Input on_picture = input;
+    on_picture.width = layout.picture_width, on_picture.height = layout.picture_height;
+    hands_.act(model_, on_picture, !ui_.takes_mouse(), !ui_.takes_keys());
+    const double middle = now_ ? now_() : 0;
+    world_.frame(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
+    const double last = now_ ? now_() : 0;
+    marks(ui_, model_, world_);
+    ui_.end();
+    if (now_) model_.cost.interface_ms = (now_() - last + middle - start) * 1000;
+}
+
+std::string path_text(const View &view)
+{
+    std::string text = "far_m = 6000.0\n";
+    for (const View::Key &key : view.path) {
+        text += "\n[[keys]]\ntime_s = " + fixed(std::max(0.0, key.time_s), 4) + "\neye = " + list_of(key.camera.eye()) +
+                "\ntarget = " + list_of(key.camera.target) +
+                "\nfov_deg = " + fixed(std::clamp(key.camera.fov_rad * 57.29577951308232, 5.0, 120.0), 3) +
+                "\nnear_m = " + fixed(std::clamp(key.camera.distance_m * 0.02, 0.02, 2.0), 3) + "\n";
+    }
+    return text;
+}
+
+}  // namespace view

@@ -1,0 +1,46 @@
+#include <cstring>
+
+#include "samples/scenes/check.h"
+#include "samples/view/surface.h"
+
+namespace view
+{
+namespace
+{
+
+class OffscreenSurface final : public Surface
+{
+public:
+    explicit OffscreenSurface(std::unique_ptr<contexts::Offscreen> offscreen) : offscreen_(std::move(offscreen)) {}
+
+    GetProcAddress get_proc_address() const override { return offscreen_->get_proc_address(); }
+    void *user() const override { return offscreen_->user(); }
+    const std::string &name() const override { return offscreen_->name(); }
+    void read(int below, int width, int height, std::vector<uint8_t> &out) override
+    {
+        if (width == offscreen_->width() && height == offscreen_->height()) return offscreen_->read_rgb(out);
+        offscreen_->read_rgb(whole_);
+        const size_t row = 3 * static_cast<size_t>(width), whole_row = 3 * static_cast<size_t>(offscreen_->width());
+        out.resize(row * static_cast<size_t>(height));
+        const int above = offscreen_->height() - height - below;
+        for (int y = 0; y < height; ++y)
+            std::memcpy(out.data() + row * static_cast<size_t>(y),
+                        whole_.data() + whole_row * static_cast<size_t>(above + y), row);
+    }
+
+private:
+    std::unique_ptr<contexts::Offscreen> offscreen_;
+    std::vector<uint8_t> whole_;
+};
+
+}  // namespace
+
+std::unique_ptr<Surface> make_offscreen_surface(contexts::Kind kind, int width, int height)
+{
+    std::string why_not;
+    auto offscreen = contexts::make_offscreen(kind, width, height, contexts::PixelFormat::rgba8888, why_not);
+    if (!offscreen) throw scenes::Failure("no OpenGL context: " + why_not);
+    return std::make_unique<OffscreenSurface>(std::move(offscreen));
+}
+
+}  // namespace view

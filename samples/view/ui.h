@@ -1,0 +1,88 @@
+// The widgets of the view, by name. Dear ImGui draws them; this room remembers where each one is, so that scripts reach
+// it by its name.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "samples/view/input.h"
+
+struct ImGuiContext;
+
+namespace view
+{
+
+struct Box {
+    float x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // pixels from the upper left corner
+
+    bool holds(float x, float y) const { return x >= x0 && y >= y0 && x < x1 && y < y1; }
+};
+
+struct Widget {
+    std::string name;
+    Box box, clip;      // where it is, and the part of the picture that its panel shows
+    bool used = false;  // in this frame
+};
+
+class Ui
+{
+public:
+    explicit Ui(float scale);
+    ~Ui();
+    Ui(const Ui &) = delete;
+    Ui &operator=(const Ui &) = delete;
+
+    void begin(const Input &input);
+    // Draws what was said since begin() into the current context.
+    void end();
+
+    // A panel without a title, at a place of its own; its contents scroll if they are too high.
+    void begin_panel(const char *name, const Box &box);
+    void end_panel();
+    // A part of a panel under a heading that opens and closes it. Returns whether it is open.
+    bool section(const char *name, bool &open);
+
+    // Each returns whether the person used it in this frame. Names are also what people read.
+    bool button(const char *name, bool on_this_line = false);
+    bool toggle(const char *name, bool &value, bool on_this_line = false);
+    // `share`: of the panel's width, beside its name. A logarithmic slider needs low > 0.
+    bool slider(const char *name, float &value, float low, float high, const char *format, bool logarithmic = false);
+    // One of several, beside each other; their widgets are called "name: item".
+    bool choice(const char *name, int &value, const std::vector<std::string> &items);
+    bool text_field(const char *name, std::string &value);
+    void rest_of_line(float width_em);  // the width of the next slider
+
+    void text(const std::string &words);
+    void faint(const std::string &words);
+    void warning(const std::string &words);
+    // A name and a number or word, in two columns.
+    void row(const char *name, const std::string &value);
+    void swatch(const float (&rgb)[3], const std::string &words);
+    void plot(const char *name, const std::vector<float> &values, const std::string &words);
+    void space();
+
+    // Marks over the picture.
+    void brackets(const Box &box, const Box &within, const std::string &words);
+
+    // Whether the mouse and the keys are for a widget rather than for the picture.
+    bool takes_mouse() const;
+    bool takes_keys() const;
+
+    float em() const { return em_; }                                 // the height of a letter in pixels
+    const std::vector<Widget> &widgets() const { return widgets_; }  // of the last complete frame
+    const std::vector<Widget> &texts() const { return texts_; }      // the same of all texts; the name is what they say
+    const Widget *find(const std::string &name) const;
+
+private:
+    Widget placed(const std::string &name, bool used) const;  // the last item
+    bool note(const std::string &name, bool used);
+
+    ImGuiContext *context_;
+    float em_;
+    std::string font_;
+    std::vector<Widget> widgets_, drawn_, texts_, said_;
+    float next_width_em_ = 0;
+};
+
+}  // namespace view

@@ -1,0 +1,30 @@
+// claque view: a window on a crowd, or the same interface played by a script without a window.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "samples/view/world.h"
+
+namespace view
+{
+
+struct Request {
+    std::string title;
+    Open open;
+    Switches switches;
+    int width = 1280, height = 800;
+    float scale = 1;
+    contexts::Kind context = contexts::Kind::any;
+    std::string script, script_file;  // the text of a script and its name; no name: a window
+    std::string folder = ".";         // where pictures and paths are saved
+    std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)> save_picture;
+    std::function<void(const std::string &path, const std::string &text)> save_text;
+    std::function<void(const std::string &what)> progress;
+    std::function<void(const std::string &sentence)> conclude;
+};
+
+// Throws scenes::Failure; also, with the packages' names, where the view was built without Dear ImGui.
+void run(const Request &request);
+
+}  // namespace view

@@ -1,0 +1,202 @@
+#include "samples/view/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace view
+{
+namespace
+{
+
+constexpr float third = 3;
+
+scenes::CrowdOptions with(scenes::CrowdOptions options, const Switches &switches)
+{
+    if (switches.cache == 3) {
+        options.key_poses.band_count = 1;
+        options.key_poses.bands[0] = {0, CLQ_KEY_POSE_INTERPOLATED};
+    } else options.cache = static_cast<clq_cache_mode>(switches.cache);
+    options.cull = static_cast<clq_cull_mode>(switches.cull);
+    options.vertex_format = static_cast<clq_vertex_format>(switches.format);
+    options.lod = switches.levels > 0 ? scenes::Lod::on : scenes::Lod::off;
+    if (switches.levels == 2) options.lod_scale *= third;
+    return options;
+}
+
+bool makes_anew(const Switches &a, const Switches &b)
+{
+    return a.cache != b.cache || a.cull != b.cull || a.format != b.format || a.levels != b.levels ||
+           a.threads != b.threads;
+}
+
+}  // namespace
+
+World::World(Surface &surface, Open open, const Switches &switches, Now now)
+    : surface_(surface), open_(std::move(open)), now_(now)
+{
+    std::string missing;
+    if (!scenes::load(gl_, surface.get_proc_address(), surface.user(), missing))
+        throw scenes::Failure("this OpenGL context lacks " + missing);
+    make(switches);
+}
+
+World::~World() { unmake(); }
+
+void World::unmake()
+{
+    for (auto &renderer : renderers_) renderer.reset();
+    renderer_ = nullptr;
+    mechanisms_.clear();
+    dofs_.clear();
+    handled_.clear();
+    index_ = nullptr;  // ends with its crowd
+    view_.reset();
+    scene_.reset();
+    path_.reset();
+    opened_ = {};
+    library_.reset();
+}
+
+void World::make(const Switches &switches)
+{
+    unmake();
+    library_ = std::make_unique<scenes::Library>(switches.threads);
+    opened_ = open_(*library_);
+    const scenes::SceneOptions &options = opened_.options;
+    const scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
+    scene_ = options.make ? options.make(*library_, crowd_options)
+                          : scenes::make_scene(options.scene, *library_, crowd_options, options.character);
+    scene_->prepare(gl_);
+    templates_ = scene_->templates();
+    path_ = options.path;
+    clq_view *view = nullptr;
+    scenes::check(clq_view_create(scene_->crowd(), &view));
+    view_.reset(view);
+    scenes::check(clq_scene_create(scene_->crowd(), &index_));
+    made_ = switches;
+    use_strategy(switches.strategy);
+}
+
+void World::use_strategy(int strategy)
+{
+    scenes::Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(strategy));
+    if (!renderer) {
+        clq_renderer_def def = clq_renderer_def_init();
+        def.get_proc_address = surface_.get_proc_address();
+        def.user = surface_.user();
+        def.strategy = static_cast<clq_draw_strategy>(strategy);
+        clq_renderer *made = nullptr;
+        scenes::check(clq_renderer_create(library_->context(), &def, &made));
+        renderer.reset(made);
+        for (clq_template *tmpl : templates_) scenes::check(clq_renderer_prepare(made, tmpl));
+    }
+    renderer_ = renderer.get();
+    made_.strategy = strategy;
+}
+
+void World::follow(Model &model)
+{
+    const bool anew = model.wishes.anew || makes_anew(model.switches, made_);
+    if (anew) {
+        make(model.switches);
+        model.dofs.clear();
+    }
+    if (model.switches.strategy != made_.strategy) use_strategy(model.switches.strategy);
+    clq_actor_info info = clq_actor_info_init();
+    if (model.picked.actor.index1 != 0 && !find(model.picked.actor, info)) {
+        model.picked = {};
+        if (model.view.mode == CameraMode::follow) model.view.mode = CameraMode::free;
+    }
+    if (model.wishes.clip) play_clip(model, *model.wishes.clip);
+    set_dofs(model);
+    const bool picture = model.wishes.picture, path = model.wishes.save_path;
+    const bool framing = model.wishes.frame_selection;
+    const auto pick = model.wishes.pick;
+    model.wishes = {};
+    model.wishes.picture = picture, model.wishes.save_path = path;  // for the program, after the frame
+    model.wishes.frame_selection = framing, model.wishes.pick = pick;
+}
+
+void World::place_camera(Model &model, double aspect)
+{
+    View &view = model.view;
+    clq_actor_info info = clq_actor_info_init();
+    const bool there = model.picked.actor.index1 != 0 && find(model.picked.actor, info);
+    Point at = {};
+    double radius = 1;
+    if (there) {
+        clq_scene_actor seen = clq_scene_actor_init();
+        scenes::check(clq_scene_get_actor(index_, model.picked.actor, model.clock.time_s, &seen));
+        for (size_t k = 0; k < 3; ++k) at[k] = seen.centre[k];
+        radius = seen.radius;
+        if (!seen.present && view.mode == CameraMode::follow) view.mode = CameraMode::free;
+    } else if (view.mode == CameraMode::follow) view.mode = CameraMode::free;
+    if (model.wishes.frame_selection && there) {
+        if (view.mode == CameraMode::scene) view.mode = CameraMode::free;
+        Point centre = at;
+        double tight = radius;
+        const bool seen = body(model.picked.actor, centre, tight);
+        view.free.frame(seen ? centre : at, seen ? tight : radius);
+    }
+    model.wishes.frame_selection = false;
+    if (view.mode == CameraMode::follow) view.free.target = at;
+    if (view.mode != CameraMode::scene) {
+        camera_ = view.free.camera(aspect);
+        return;
+    }
+    const auto shot = static_cast<scenes::Shot>(view.shot);
+    camera_ = shot == scenes::Shot::path && path_ ? path_->camera(model.clock.time_s, aspect)
+                                                  : scene_->camera(shot, aspect, model.clock.time_s);
+    // The free camera starts where the scene's is.
+    view.free = free_camera_from(camera_, depth_of_ground(camera_, 15));
+}
+
+void World::frame(Model &model, int width, int height, int below)
+{
+    width_ = std::max(1, width), height_ = std::max(1, height), below_ = below;
+    follow(model);
+    time_s_ = model.clock.time_s;
+    const auto pick_at = model.wishes.pick;
+    model.wishes.pick.reset();
+    FrameCost &cost = model.cost;
+    double start = now_s();
+    scene_->place(time_s_);
+    cost.place_ms = ms_since(start);
+    place_camera(model, static_cast<double>(width_) / height_);
+    eye_ = scenes::eye_of(camera_);
+    tint(model);
+    scenes::check(clq_view_set_height(view_.get(), static_cast<float>(height_)));
+    scenes::check(clq_view_set_camera(view_.get(), &camera_));
+    clq_view *views[] = {view_.get()};
+    start = now_s();
+    scenes::check(clq_crowd_update(scene_->crowd(), time_s_, views, 1));
+    cost.update_ms = ms_since(start);
+    if (pick_at) model.picked = pick((*pick_at)[0], (*pick_at)[1]);
+    draw(model);
+    cost.crowd = clq_crowd_stats_init();
+    scenes::check(clq_crowd_get_stats(scene_->crowd(), &cost.crowd));
+    cost.seen = clq_view_stats_init();
+    scenes::check(clq_view_get_stats(view_.get(), &cost.seen));
+    model.history.push_back(cost);
+    while (model.history.size() > history_frames) model.history.pop_front();
+}
+
+void World::draw(Model &model)
+{
+    double start = now_s();
+    gl_.Viewport(0, below_, width_, height_);
+    gl_.DepthMask(1);
+    gl_.ClearColor(0, 0, 0, 1);
+    gl_.Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
+    scene_->draw_environment(gl_, eye_);
+    if (now_) gl_.Finish();
+    model.cost.surroundings_ms = ms_since(start);
+    start = now_s();
+    model.cost.drawn = clq_draw_stats_init();
+    scenes::check(clq_renderer_draw(renderer_, view_.get(), &model.cost.drawn));
+    if (now_) gl_.Finish();
+    model.cost.crowd_ms = ms_since(start);
+    if (model.spheres) scenes::draw_spheres(gl_, eye_, scene_->crowd(), everyone());
+}
+
+}  // namespace view

@@ -1,0 +1,103 @@
+// The crowd that a view shows, its surroundings and its renderer, in a context that is there already. It is drawn as
+// any host draws claque.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <map>
+#include <memory>
+
+#include "samples/scenes/scene_renderer.h"
+#include "samples/view/model.h"
+#include "samples/view/surface.h"
+#include "samples/view/ui.h"
+
+namespace view
+{
+
+// What a view shows. `keeps` lives as long as the scene that the options make.
+struct Opened {
+    scenes::SceneOptions options;
+    std::shared_ptr<void> keeps;
+    double first_s = 0, last_s = 60;
+};
+using Open = std::function<Opened(scenes::Library &)>;
+using Now = double (*)();  // seconds; null: costs are not measured
+
+class World
+{
+public:
+    // Throws scenes::Failure.
+    World(Surface &surface, Open open, const Switches &switches, Now now);
+    ~World();
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
+
+    // Does what the model wishes, then updates and draws everything but the interface.
+    // The picture is the lower left corner of the surface but for `below` lines under it.
+    void frame(Model &model, int width, int height, int below);
+
+    clq_crowd *crowd() const { return scene_->crowd(); }
+    const clq_camera &camera() const { return camera_; }
+    bool has_path() const { return path_.has_value(); }
+    double first_s() const { return opened_.first_s; }
+    double last_s() const { return opened_.last_s; }
+    const std::vector<clq_template *> &templates() const { return templates_; }
+    std::vector<std::string> warnings() const { return library_->warnings(); }
+
+    std::vector<clq_actor> everyone() const;
+    // Whether an individual is there; all about it.
+    bool find(clq_actor actor, clq_actor_info &out) const;
+    // The ray of a point of the picture of the last frame.
+    Picked pick(float x, float y) const;
+    // The colours of an individual in the picture, by zone; empty if it is not there.
+    std::vector<uint8_t> colours(clq_actor actor) const;
+    int width() const { return width_; }
+    int height() const { return height_; }
+    // Its vertices on the last picture, in pixels from the upper left corner; false: it is not in it.
+    bool outline(clq_actor actor, Box &out) const;
+    // The sphere of its body there; false: behind the eye.
+    bool on_picture(clq_actor actor, float &x, float &y, float &radius) const;
+    // A point of the picture, in pixels, where a click meets individual `index1`; false: it is nowhere to be seen.
+    bool point_on(uint32_t index1, float &x, float &y) const;
+
+private:
+    bool body(clq_actor actor, Point &centre, double &radius) const;
+    bool drawn(clq_actor actor, uint32_t &index, clq_drawn_actor &out) const;
+    void make(const Switches &switches);
+    void unmake();
+    void use_strategy(int strategy);
+    void follow(Model &model);
+    void place_camera(Model &model, double aspect);
+    void tint(Model &model);
+    void play_clip(Model &model, uint32_t clip);
+    void set_dofs(const Model &model);
+    clq_mechanism mechanism_for(const clq_template *tmpl);
+    void draw(Model &model);
+    double now_s() const { return now_ ? now_() : 0; }
+    double ms_since(double start_s) const { return now_ ? (now_() - start_s) * 1000 : -1; }
+
+    Surface &surface_;
+    Open open_;
+    Now now_;
+    scenes::Gl gl_;
+    Switches made_;
+    std::unique_ptr<scenes::Library> library_;
+    Opened opened_;
+    std::unique_ptr<scenes::Scene> scene_;
+    std::vector<clq_template *> templates_;
+    std::optional<scenes::CameraPath> path_;
+    scenes::Own<clq_view> view_;
+    clq_scene *index_ = nullptr;  // of the crowd
+    std::array<scenes::Own<clq_renderer>, 3> renderers_;
+    clq_renderer *renderer_ = nullptr;
+    clq_camera camera_ = {};
+    scenes::Eye eye_ = {};
+    double time_s_ = 0;
+    int width_ = 1, height_ = 1, below_ = 0;
+    std::map<uint32_t, std::vector<float>> dofs_;  // of the model, for the mechanism
+    std::map<uint32_t, clq_actor> handled_;        // whose joints are set by hand
+    std::map<const clq_template *, clq_mechanism> mechanisms_;
+};
+
+}  // namespace view

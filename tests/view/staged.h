@@ -1,0 +1,48 @@
+// A view of a small scene in memory, for tests.
+#pragma once
+
+#include <optional>
+
+#include <gtest/gtest.h>
+
+#include "samples/view/script.h"
+#include "samples/view/session.h"
+
+namespace view_test
+{
+
+struct Stage {
+    std::string scene = "parade";
+    uint32_t count = 5;
+    int width = 480, height = 480;
+    float scale = 1;
+    std::string character = {};  // a built-in one, for the parade
+};
+
+// Skips the test where this machine has no software GL.
+class Staged : public testing::Test
+{
+protected:
+    void SetUp() override;
+
+    // In place of the session before it.
+    view::Session &open(const Stage &stage);
+    view::Session &session() { return *session_; }
+    view::Surface &surface() { return *surface_; }
+
+    // Plays steps; the input of the last frame stays. Throws scenes::Failure.
+    void play(const std::vector<std::string> &steps);
+    // The whole window, or the picture alone, as it is.
+    std::vector<uint8_t> window();
+    std::vector<uint8_t> picture();
+
+    // Called after each frame of play().
+    std::function<void()> seen = [] {};
+
+private:
+    Stage stage_;
+    std::unique_ptr<view::Surface> surface_;
+    std::optional<view::Session> session_;
+};
+
+}  // namespace view_test

@@ -1,0 +1,193 @@
+// The widgets: each can be reached, and none hides another or is cut.
+#include <set>
+
+#include "tests/view/staged.h"
+
+namespace
+{
+
+using view_test::Stage;
+using view_test::Staged;
+
+// Without the names of clips and joints, which characters bring along.
+const std::vector<std::string> &names_of_widgets()
+{
+    static const std::vector<std::string> names = {"pause",
+                                                   "back",
+                                                   "step",
+                                                   "picture",
+                                                   "panels",
+                                                   "speed",
+                                                   "time",
+                                                   "Camera",
+                                                   "Person",
+                                                   "Character",
+                                                   "Frame",
+                                                   "camera: overview",
+                                                   "camera: close",
+                                                   "camera: free",
+                                                   "camera: follow",
+                                                   "keep as: 1",
+                                                   "keep as: 2",
+                                                   "keep as: 3",
+                                                   "keep as: 4",
+                                                   "keep as: 5",
+                                                   "recall: 1",
+                                                   "field",
+                                                   "add key",
+                                                   "saved as",
+                                                   "save path",
+                                                   "forget keys",
+                                                   "colours: own",
+                                                   "colours: level",
+                                                   "colours: rate",
+                                                   "colours: age",
+                                                   "bounding spheres",
+                                                   "follow",
+                                                   "frame",
+                                                   "let go",
+                                                   "fade",
+                                                   "curve: linear",
+                                                   "curve: smooth",
+                                                   "curve: inertial",
+
+                                                   "strategy: fused",
+                                                   "strategy: binned",
+                                                   "strategy: per zone",
+                                                   "caches: full",
+                                                   "caches: palettes",
+                                                   "caches: none",
+                                                   "caches: key-poses",
+                                                   "culling: three phases",
+                                                   "culling: last",
+                                                   "format: float",
+                                                   "format: packed",
+                                                   "levels: off",
+                                                   "levels: on",
+                                                   "levels: early",
+                                                   "threads: 1",
+                                                   "threads: 2",
+                                                   "threads: 4",
+                                                   "count anew"};
+    return names;
+}
+
+class Widgets : public Staged
+{
+protected:
+    // All panels open and all widgets there: a picked person, a kept camera, two keys, a joint set by hand.
+    void open_all(Stage stage)
+    {
+        stage.character = "citizen";
+        stage.count = 2;
+        open(stage);
+        play({"click \"pause\"", "click person 1", "click \"keep as: 1\"", "click \"add key\"", "click \"step\"",
+              "click \"add key\"", "click \"Character\"", "click \"Frame\""});
+    }
+
+    bool uses(const std::string &name)
+    {
+        bool used = false;
+        seen = [&] {
+            const view::Widget *widget = session().ui().find(name);
+            used = used || (widget && widget->used);
+        };
+        const bool slides = name == "speed" || name == "time" || name == "field" || name == "fade";
+        if (name == "saved as") play({"type \"saved as\" \"film\""});
+        else play({slides ? "drag \"" + name + "\" 0.15 0.85" : "click \"" + name + "\""});
+        seen = [] {};
+        return used;
+    }
+};
+
+TEST_F(Widgets, AreAllReachedByTheirNames)
+{
+    open_all({});
+    const view::Model all = session().model();
+    std::set<std::string> there;
+    for (const std::string &name : names_of_widgets()) {
+        session().model() = all;
+        play({});
+        for (const view::Widget &widget : session().ui().widgets()) there.insert(widget.name);
+        EXPECT_TRUE(uses(name)) << name;
+    }
+    for (const std::string &name : names_of_widgets()) there.erase(name);
+    clq_actor_info info = clq_actor_info_init();
+    session().model() = all;
+    play({});
+    ASSERT_TRUE(session().world().find(session().model().picked.actor, info));
+    for (const std::string &name : there) {
+        EXPECT_EQ(name.rfind("clip: ", 0), 0u) << name;
+        EXPECT_NE(clq_template_find_clip(info.tmpl, name.c_str() + 6), CLQ_NONE) << name;
+    }
+}
+
+bool meet(const view::Box &a, const view::Box &b)
+{
+    constexpr float touch = 0.5f;
+    return a.x0 < b.x1 - touch && b.x0 < a.x1 - touch && a.y0 < b.y1 - touch && b.y0 < a.y1 - touch;
+}
+
+void expect_in_order(const view::Ui &ui, const std::string &at)
+{
+    std::vector<view::Widget> all = ui.widgets();
+    all.insert(all.end(), ui.texts().begin(), ui.texts().end());
+    for (size_t i = 0; i < all.size(); ++i) {
+        EXPECT_GE(all[i].box.x0, all[i].clip.x0) << at << all[i].name;
+        EXPECT_LE(all[i].box.x1, all[i].clip.x1) << at << all[i].name;
+        for (size_t k = 0; k < i; ++k) {
+            if (all[i].clip.y0 != all[k].clip.y0) continue;  // of another panel
+            EXPECT_FALSE(meet(all[i].box, all[k].box)) << at << all[i].name << " and " << all[k].name;
+        }
+    }
+    // Nothing of the lower bar needs scrolling.
+    for (const view::Widget &one : all) {
+        if (one.clip.y0 > 0) {
+            EXPECT_LE(one.box.y1, one.clip.y1) << at << one.name;
+        }
+    }
+}
+
+TEST_F(Widgets, AreNeitherCutNorOverlapAtAnySize)
+{
+    struct Size {
+        int width, height;
+        float scale;
+    };
+    for (const Size size : {Size{1024, 640, 1}, {1280, 800, 1}, {2560, 1440, 1}, {2560, 1440, 2}, {1280, 800, 2}}) {
+        Stage stage;
+        stage.width = size.width, stage.height = size.height, stage.scale = size.scale;
+        open_all(stage);
+        expect_in_order(session().ui(), std::to_string(size.width) + "x" + std::to_string(size.height) + " scale " +
+                                            std::to_string(size.scale) + ": ");
+    }
+}
+
+TEST_F(Widgets, OfJointsMoveThePickedPersonAndLeaveItToItsClip)
+{
+    Stage stage;
+    stage.scene = "town_sky", stage.count = 3;
+    view::Session &s = open(stage);
+    s.model().picked.actor = s.world().everyone().front();
+    play({"click \"pause\"", "click \"follow\"", "click \"frame\"", "click \"Camera\"", "click \"Person\"",
+          "click \"Character\"", "wait 0.1"});
+    clq_actor_info info = clq_actor_info_init();
+    clq_template_info tmpl = clq_template_info_init();
+    ASSERT_TRUE(s.world().find(s.model().picked.actor, info));
+    ASSERT_EQ(clq_template_get_info(info.tmpl, &tmpl), CLQ_OK);
+    ASSERT_GT(tmpl.dof_count, 0u);
+    uint32_t moving = 0;
+    for (uint32_t k = 0; k < tmpl.dof_count; ++k) {
+        clq_dof_info dof = clq_dof_info_init();
+        ASSERT_EQ(clq_template_get_dof(info.tmpl, k, &dof), CLQ_OK);
+        const std::vector<uint8_t> before = picture();
+        play({std::string("drag \"") + dof.name + "\" 0.05 0.95", "wait 0.1"});
+        const std::vector<uint8_t> by_hand = picture();
+        play({"click \"leave joints to clips\"", "wait 0.1"});
+        moving += by_hand != before;
+        EXPECT_EQ(picture(), before) << dof.name;
+    }
+    EXPECT_GT(moving, 0u);
+}
+
+}  // namespace
