@@ -42,6 +42,13 @@ public:
         const Sdl &s = sdl();
         s.SetMainReady();
         if (s.Init(SDL_INIT_VIDEO) != 0) refuse("no window could be opened");
+        // Without a screen SDL draws into nothing.
+        const char *driver = s.GetCurrentVideoDriver();
+        const std::string screen = driver ? driver : "";
+        if (screen.empty() || screen == "dummy" || screen == "offscreen") {
+            s.Quit();
+            throw scenes::Failure("no window could be opened, as there is no screen: --script needs none");
+        }
         s.GL_SetAttribute(SDL_GL_DEPTH_SIZE, 24);
         s.GL_SetAttribute(SDL_GL_STENCIL_SIZE, 8);
         s.GL_SetAttribute(SDL_GL_ALPHA_SIZE, 8);

@@ -89,4 +89,18 @@ TEST_F(Window, OpensTakesAClickAndClosesByItsKey)
     EXPECT_TRUE(WIFEXITED(status_) && WEXITSTATUS(status_) == 0) << log();
 }
 
+TEST(NoScreen, IsSaidAtOnce)
+{
+    const std::string log = testing::TempDir() + "claque_view_no_screen_" + std::to_string(getpid());
+    const int status = std::system(("env -u DISPLAY -u WAYLAND_DISPLAY timeout 60 " CLAQUE_COMMAND
+                                    " view --scene parade --count 1 > " +
+                                    log + " 2>&1")
+                                       .c_str());
+    std::ifstream file(log);
+    const std::string said{std::istreambuf_iterator<char>(file), {}};
+    std::filesystem::remove(log);
+    EXPECT_EQ(WEXITSTATUS(status), 1) << said;
+    EXPECT_EQ(said.rfind("claque: no window could be opened", 0), 0u) << said;
+}
+
 }  // namespace
