@@ -12,7 +12,7 @@ namespace
 constexpr float min_weight = 0.6f;   // of the foot's nodes, for a vertex to be the foot's
 constexpr float sole_height = 0.3f;  // of the ankle's: vertices below it are the sole's
 constexpr float ball_share = 0.72f;  // of the length of the sole, from the heel; of people 0.70 to 0.74
-constexpr float heel_share = 0.08f;
+constexpr float heel_share = 0.12f;  // where a foot with its toes up stands: heels are round
 
 // The vertices of a foot at the finest level, in model space.
 std::vector<glm::vec3> vertices_of(const model::Template &tmpl, const pose::Workspace &work, const pose::Leg &leg)
