@@ -17,8 +17,12 @@ import time
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent
-ABOUT = {"i386": "32-bit x86", "arm64": "64-bit ARM, QEMU", "mingw": "64-bit Windows, Wine",
-         "nehalem": "x86-64 without AVX, QEMU"}
+ABOUT = {
+    "i386": "32-bit x86",
+    "arm64": "64-bit ARM, QEMU",
+    "mingw": "64-bit Windows, Wine",
+    "nehalem": "x86-64 without AVX, QEMU",
+}
 
 Result = collections.namedtuple("Result", "machine passed failed skipped left_out absent seconds")
 
@@ -59,9 +63,14 @@ def run(machine, jobs):
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     began = time.monotonic()
-    done = subprocess.run([str(HERE / "foreign.sh"), machine, str(jobs)], cwd=SOURCE, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
-                          env={**os.environ, "GTEST_OUTPUT": f"json:{folder}/"})
+    done = subprocess.run(
+        [str(HERE / "foreign.sh"), machine, str(jobs)],
+        cwd=SOURCE,
+        text=True,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        env={**os.environ, "GTEST_OUTPUT": f"json:{folder}/"},
+    )
     (folder / "log").write_text(done.stdout)
     absent = re.search(r"^skipped: test-\w+ needs (.*)$", done.stdout, re.M)
     passed, failed, skipped = cases_of(folder)
@@ -72,8 +81,9 @@ def run(machine, jobs):
     if done.returncode == 0 and not absent and passed + more == 0:
         failed.append(f"no test ran; see {folder / 'log'}")
     left_out = re.findall(r"^left out: (.*)$", done.stdout, re.M)
-    return Result(machine, passed + more, failed, skipped, left_out, absent.group(1) if absent else "",
-                  time.monotonic() - began)
+    return Result(
+        machine, passed + more, failed, skipped, left_out, absent.group(1) if absent else "", time.monotonic() - began
+    )
 
 
 def table_of(results):
@@ -84,7 +94,9 @@ def table_of(results):
             lines.append(f"| {name} | absent: needs {r.absent} | | | | |")
         else:
             skipped = sum(len(names) for names in r.skipped.values())
-            lines.append(f"| {name} | {r.passed} | {len(r.failed)} | {skipped} | {len(r.left_out)} | {r.seconds / 60:.1f} |")
+            lines.append(
+                f"| {name} | {r.passed} | {len(r.failed)} | {skipped} | {len(r.left_out)} | {r.seconds / 60:.1f} |"
+            )
     for r in results:
         lines += [f"{r.machine} failed: {name}" for name in r.failed]
         lines += [f"{r.machine} skipped {', '.join(names)}: {reason}" for reason, names in r.skipped.items()]

@@ -34,8 +34,10 @@ class Tree:
         kinds = re.compile(r"\.(h|cpp|c|py|sh|in|toml|awk|txt|json|abi)$|Makefile$|Doxyfile$")
         sources = [f for f in self.files if kinds.search(f) and not f.startswith("tests/abi/v1/")]
         self.sources = {f: self.text(f) for f in sources if f != "tests/abi/docs.py"}
-        code = "\n".join(re.sub(r"/\*.*?\*/|//[^\n]*", " ", t, flags=re.S) if re.search(r"\.(h|cpp|c)$", f) else t
-                         for f, t in self.sources.items())
+        code = "\n".join(
+            re.sub(r"/\*.*?\*/|//[^\n]*", " ", t, flags=re.S) if re.search(r"\.(h|cpp|c)$", f) else t
+            for f, t in self.sources.items()
+        )
         self.words = set(re.findall(r"[A-Za-z_][A-Za-z0-9_]*", code))
         headers = {f: t for f, t in self.sources.items() if f.startswith("include/claque/")}
         code = re.sub(r"/\*.*?\*/", " ", "\n".join(headers.values()), flags=re.S)
@@ -131,7 +133,7 @@ def name_faults(tree, text):
     """What is wrong with the names of the API in a text."""
     for found in re.finditer(r"(?<!libclaque/)\b((?:clq|CLQ)_\w+)(\.\.\.)?(?:\.(\w+))?", text):
         name, more, member = found.groups()
-        if more or name.endswith("_") or text[found.end():found.end() + 1] == "*":
+        if more or name.endswith("_") or text[found.end() : found.end() + 1] == "*":
             if not any(d.startswith(name) for d in tree.declared):
                 yield f"no declaration begins with {name}"
         elif name not in tree.declared:
@@ -181,8 +183,15 @@ def comment_faults(tree, path, text):
         if name.startswith("claque/"):
             name = "include/" + name
         top = name.split("/")[0]
-        known = name in tree.files if "/" in name and top in TOP else (
-            name in tree.base_names or f"{folder}/{name}" in tree.files or any(f.endswith("/" + name) for f in tree.files))
+        known = (
+            name in tree.files
+            if "/" in name and top in TOP
+            else (
+                name in tree.base_names
+                or f"{folder}/{name}" in tree.files
+                or any(f.endswith("/" + name) for f in tree.files)
+            )
+        )
         if not known and not name.startswith(GENERATED) and not name.startswith(("GL/", "EGL/", "OpenMesh/", "CLI/")):
             yield f"no file {name}"
 
@@ -190,11 +199,20 @@ def comment_faults(tree, path, text):
 def prove(tree):
     """Each kind of fault is found where it is put in."""
     page = "docs/guide.md"
-    cases = [("`lib/none/at_all.h`", "no file"), ("`clq_crowd_place`", "not declared"), ("clq_crowd_def.distance_near of", "no member"),
-             ("`claque render --no-such`", "no option"), ("`claque nosuch`", "no subcommand"), ("`make nosuch`", "no target"),
-             ("```\nclaque bench odeon --no-such\n```\n", "no option"), ("[a](nothing.md)", "no file"), ("`nothing.cpp`", "no file"),
-             ("`qwertzuiop`", "no source"), ("`--qwertzuiop 3`", "no source"),
-             ("```c\ndef.nothing = 1;\n```\n", "no struct")]
+    cases = [
+        ("`lib/none/at_all.h`", "no file"),
+        ("`clq_crowd_place`", "not declared"),
+        ("clq_crowd_def.distance_near of", "no member"),
+        ("`claque render --no-such`", "no option"),
+        ("`claque nosuch`", "no subcommand"),
+        ("`make nosuch`", "no target"),
+        ("```\nclaque bench odeon --no-such\n```\n", "no option"),
+        ("[a](nothing.md)", "no file"),
+        ("`nothing.cpp`", "no file"),
+        ("`qwertzuiop`", "no source"),
+        ("`--qwertzuiop 3`", "no source"),
+        ("```c\ndef.nothing = 1;\n```\n", "no struct"),
+    ]
     for text, wanted in cases:
         found = list(page_faults(tree, page, "This page is one.\n\n" + text + "\n"))
         if len(found) < 1 or not any(wanted in f for f in found):
@@ -204,7 +222,9 @@ def prove(tree):
     for text in ("// see nothing.cpp\n", "// see base::qwertzuiop\n", "/* qwertzuiop() */", "// `qwertzuiop`\n"):
         if not list(comment_faults(tree, "lib/base/error.h", text)):
             yield f"docs.py does not see that the comment {text!r} names nothing"
-    if list(page_faults(tree, page, "This page is one.\n`lib/frame`, `claque/crowd.h`, `make run`, clq_crowd_def.seed\n")):
+    if list(
+        page_faults(tree, page, "This page is one.\n`lib/frame`, `claque/crowd.h`, `make run`, clq_crowd_def.seed\n")
+    ):
         yield "docs.py sees faults where there are none"
 
 

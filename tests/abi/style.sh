@@ -22,6 +22,8 @@ report 'lines of more than 120 columns' "$(echo "$sources" | grep -v '^samples/p
 scripts=$(find Makefile cmake lib tests samples \( -name Makefile -o -name '*.sh' -o -name '*.py' -o -name '*.cmake' -o -name CMakeLists.txt \) | sort)
 report 'comments of scripts with more than 120 columns' \
     "$(echo "$scripts" | xargs awk 'length > 120 && /^ *#/ { print FILENAME ":" FNR }')"
+report 'lines of Python with more than 120 columns' \
+    "$(echo "$scripts" | grep '\.py$' | xargs awk 'length > 120 { print FILENAME ":" FNR }')"
 report 'names of tests are sentences in CamelCase, suites too' \
     "$(echo "$sources" | xargs grep -nE '^(TYPED_)?TEST(_F|_P)?\((([a-z]|[A-Za-z0-9]+_)[A-Za-z0-9_]*, |[A-Za-z0-9_]+, ([a-z]|[A-Za-z0-9]+_))' || true)"
 exit $bad

@@ -14,8 +14,15 @@ ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)
 BUILD = os.path.join(ROOT, 'build', 'fuzz')
 OUT = os.path.join(ROOT, 'out', 'fuzz')
 CORPUS = os.path.join(ROOT, 'tests', 'fuzz', 'corpus')
-LIMITS = ['-rss_limit_mb=2048', '-timeout=10', '-max_len=16000', '-use_value_profile=1', '-print_final_stats=1',
-          '-detect_leaks=1', '-reload=0']
+LIMITS = [
+    '-rss_limit_mb=2048',
+    '-timeout=10',
+    '-max_len=16000',
+    '-use_value_profile=1',
+    '-print_final_stats=1',
+    '-detect_leaks=1',
+    '-reload=0',
+]
 MERGED_BYTES = 29000  # of one corpus in the tree
 
 
@@ -23,9 +30,12 @@ def why_not():
     """A line that names what is missing, or nothing."""
     if not shutil.which('clang++'):
         return 'skipped: the fuzzers need clang++ (apt-get install clang libclang-rt-14-dev)'
-    probe = subprocess.run(['clang++', '-fsanitize=fuzzer,address', '-x', 'c++', '-', '-o', os.devnull],
-                           input='extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }',
-                           text=True, capture_output=True)
+    probe = subprocess.run(
+        ['clang++', '-fsanitize=fuzzer,address', '-x', 'c++', '-', '-o', os.devnull],
+        input='extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }',
+        text=True,
+        capture_output=True,
+    )
     return '' if probe.returncode == 0 else 'skipped: the fuzzers need libFuzzer (apt-get install libclang-rt-14-dev)'
 
 
@@ -33,7 +43,9 @@ def build(names):
     os.makedirs(os.path.join(ROOT, 'build'), exist_ok=True)
     commands = [['cmake', '--preset', 'fuzz']] if not os.path.exists(os.path.join(BUILD, 'build.ninja')) else []
     targets = ['fuzz_' + name for name in names] + ['fuzz_seeds']
-    commands.append(['cmake', '--build', BUILD, '-j', os.environ.get('JOBS', str(os.cpu_count())), '--target'] + targets)
+    commands.append(
+        ['cmake', '--build', BUILD, '-j', os.environ.get('JOBS', str(os.cpu_count())), '--target'] + targets
+    )
     for command in commands:
         done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
         if done.returncode:
@@ -70,8 +82,13 @@ def fuzz(name, seconds):
             os.remove(os.path.join(OUT, old))
     environment = dict(os.environ, ASAN_OPTIONS='detect_odr_violation=0:allocator_may_return_null=1')
     with open(log_path, 'w') as log:
-        process = subprocess.Popen([program(name), '-artifact_prefix=' + kept] + options(name) + folders(name), cwd=OUT,
-                                   stdout=log, stderr=subprocess.STDOUT, env=environment)
+        process = subprocess.Popen(
+            [program(name), '-artifact_prefix=' + kept] + options(name) + folders(name),
+            cwd=OUT,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+            env=environment,
+        )
         used = 0.0
         while process.poll() is None:
             used = max(used, cpu_seconds(process.pid))
@@ -100,9 +117,14 @@ def merge(name):
     merged = os.path.join(OUT, 'merged', name)
     shutil.rmtree(merged, ignore_errors=True)
     os.makedirs(merged)
-    subprocess.run([program(name), '-merge=1'] + [o for o in options(name) if 'value_profile' not in o] + [merged] +
-                   folders(name), cwd=OUT, check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                   env=dict(os.environ, ASAN_OPTIONS='detect_odr_violation=0:allocator_may_return_null=1'))
+    subprocess.run(
+        [program(name), '-merge=1'] + [o for o in options(name) if 'value_profile' not in o] + [merged] + folders(name),
+        cwd=OUT,
+        check=True,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=dict(os.environ, ASAN_OPTIONS='detect_odr_violation=0:allocator_may_return_null=1'),
+    )
     target = os.path.join(CORPUS, name)
     os.makedirs(target, exist_ok=True)
     for old in os.listdir(target):

@@ -21,10 +21,25 @@ def asked_of_the_compiler(folder):
         for field in struct._fields_:
             lines.append(f'printf("{name}.{field[0]} %zu\\n", offsetof({name}, {field[0]}));')
     source = folder / "layout.c"
-    source.write_text("#include <stddef.h>\n#include <stdio.h>\n#include <claque/claque.h>\n#include <claque/mesh.h>\n"
-                      "#include <claque/prepare.h>\n#include <claque/trajectories.h>\n#include <claque/drawn_actor.h>\n#include <claque/stage.h>\nint main(void){" + "\n".join(lines) +
-                      "return 0;}")
-    subprocess.run([COMPILER, "-std=c99", "-I", os.environ.get("CLAQUE_INCLUDE_DIR", ROOT / "include"), source, "-o", folder / "layout"], check=True)
+    source.write_text(
+        "#include <stddef.h>\n#include <stdio.h>\n#include <claque/claque.h>\n#include <claque/mesh.h>\n"
+        "#include <claque/prepare.h>\n#include <claque/trajectories.h>\n#include <claque/drawn_actor.h>\n"
+        "#include <claque/stage.h>\nint main(void){"
+        + "\n".join(lines)
+        + "return 0;}"
+    )
+    subprocess.run(
+        [
+            COMPILER,
+            "-std=c99",
+            "-I",
+            os.environ.get("CLAQUE_INCLUDE_DIR", ROOT / "include"),
+            source,
+            "-o",
+            folder / "layout",
+        ],
+        check=True,
+    )
     out = subprocess.run([folder / "layout"], check=True, capture_output=True, text=True).stdout
     return dict((line.rsplit(" ", 1)[0], int(line.rsplit(" ", 1)[1])) for line in out.splitlines())
 

@@ -56,8 +56,14 @@ def test_the_picture_is_a_view_of_the_contexts_own_pixels():
 
 def run_example(name, folder):
     environment = dict(os.environ, PYTHONPATH=str(ROOT / "lib" / "python"))
-    return subprocess.run([sys.executable, ROOT / "lib/python/examples" / name], cwd=folder, env=environment, check=True,
-                          capture_output=True, text=True).stdout
+    return subprocess.run(
+        [sys.executable, ROOT / "lib/python/examples" / name],
+        cwd=folder,
+        env=environment,
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
 
 
 def test_the_parity_example_reports_the_distance(tmp_path):

@@ -69,7 +69,9 @@ def test_a_click_finds_the_person_and_the_zone(square, citizen):
 def test_rays_and_frusta_follow_a_camera(square):
     _, _, scene = square
     camera = claque.abi.Camera()
-    looks = claque.abi.LookAtDef(eye=(5, 1, 14), target=(5, 1, 0), up=(0, 1, 0), fov_y_rad=0.5, aspect=1, z_near=1, z_far=30)
+    looks = claque.abi.LookAtDef(
+        eye=(5, 1, 14), target=(5, 1, 0), up=(0, 1, 0), fov_y_rad=0.5, aspect=1, z_near=1, z_far=30
+    )
     claque.abi.call("clq_camera_look_at", claque.abi.ctypes.byref(looks), claque.abi.ctypes.byref(camera))
     origin, direction = scenes.ray_of(camera, 0, 0)
     assert origin == pytest.approx((5, 1, 13)) and direction == pytest.approx((0, 0, -1))

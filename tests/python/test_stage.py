@@ -27,7 +27,10 @@ def stage(crowd, citizen):
         made.shown = []
         made.action("note", show=lambda actor, time_s, value: made.shown.append((actor, time_s, value)))
         machine = made.machine(MACHINE, citizen)
-        made.people = [made.agent(machine, crowd.add(citizen, (i, 0, 5)), (i, 0, 5), "left" if i < 3 else "right", i) for i in range(6)]
+        made.people = [
+            made.agent(machine, crowd.add(citizen, (i, 0, 5)), (i, 0, 5), "left" if i < 3 else "right", i)
+            for i in range(6)
+        ]
         yield made
 
 

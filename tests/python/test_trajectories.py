@@ -11,7 +11,9 @@ TABLE = b"who,t,x,y\na,0,0,0\nb,0,5,5\na,1,1,0\na,2,2,0\na,2,2,0\n"
 
 
 def test_people_and_their_samples(context):
-    with claque.Trajectories.from_bytes(context, TABLE, "people.csv", columns="id,time,x,y", metres_per_unit=0.5) as read:
+    with claque.Trajectories.from_bytes(
+        context, TABLE, "people.csv", columns="id,time,x,y", metres_per_unit=0.5
+    ) as read:
         assert [(name, len(samples)) for name, samples in read.people] == [("a", 3), ("b", 1)]
         assert read.samples["x"].tolist() == [0, 0.5, 1, 2.5]
         assert numpy.isnan(read.samples["heading_rad"]).all()

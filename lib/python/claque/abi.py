@@ -8,8 +8,8 @@ import ctypes.util
 import enum
 import os
 import pathlib
-from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_int16, c_size_t, c_uint8, c_uint16, c_uint32,
-                    c_uint64, c_void_p)
+from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_int16, c_size_t, c_uint8,
+                    c_uint16, c_uint32, c_uint64, c_void_p)
 
 NONE = 0xFFFFFFFF
 RANDOM = 0xFFFFFFFF
@@ -84,8 +84,8 @@ class Play(Structure):
 
 
 class ActorDef(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("tmpl", c_void_p), ("transform", Transform), ("play", Play), ("seed", c_uint64),
-                ("texture_set", c_uint32)]
+    _fields_ = [("struct_bytes", c_uint32), ("tmpl", c_void_p), ("transform", Transform), ("play", Play),
+                ("seed", c_uint64), ("texture_set", c_uint32)]
 
 
 
@@ -114,13 +114,14 @@ class HsbRange(Structure):
 
 
 class ClipInfo(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("start_s", c_float), ("duration_s", c_float), ("channel_count", c_uint32),
-                ("rate_hz", c_float), ("error", c_float), ("error_rad", c_float), ("kept_count", c_uint32),
-                ("bytes", c_uint64)]
+    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("start_s", c_float), ("duration_s", c_float),
+                ("channel_count", c_uint32), ("rate_hz", c_float), ("error", c_float), ("error_rad", c_float),
+                ("kept_count", c_uint32), ("bytes", c_uint64)]
 
 
 class ZoneInfo(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("colour", c_float * 3), ("range", HsbRange), ("clean_count", c_uint32)]
+    _fields_ = [("struct_bytes", c_uint32), ("name", c_char_p), ("colour", c_float * 3), ("range", HsbRange),
+                ("clean_count", c_uint32)]
 
 
 class TemplateInfo(Sized):
@@ -135,21 +136,22 @@ class TemplateInfo(Sized):
 
 
 class Mesh(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("vertex_count", c_uint32), ("positions", POINTER(c_float)), ("normals", POINTER(c_float)),
-                ("uvs", POINTER(c_float)), ("colours", POINTER(c_uint8)), ("influence_count", c_uint32),
-                ("bin_count", c_uint32), ("morph_count", c_uint32), ("normals_by_inverse", c_bool)]
+    _fields_ = [("struct_bytes", c_uint32), ("vertex_count", c_uint32), ("positions", POINTER(c_float)),
+                ("normals", POINTER(c_float)), ("uvs", POINTER(c_float)), ("colours", POINTER(c_uint8)),
+                ("influence_count", c_uint32), ("bin_count", c_uint32), ("morph_count", c_uint32),
+                ("normals_by_inverse", c_bool)]
 
 
 class Triangles(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("texture", c_uint32), ("double_sided", c_bool), ("zone", c_uint32), ("index_count", c_uint32),
-                ("indices", POINTER(c_uint32))]
+    _fields_ = [("struct_bytes", c_uint32), ("texture", c_uint32), ("double_sided", c_bool), ("zone", c_uint32),
+                ("index_count", c_uint32), ("indices", POINTER(c_uint32))]
 
 
 class DrawnActor(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("actor", ActorId), ("tmpl", c_void_p), ("level", c_uint32), ("texture_set", c_uint32),
-                ("model_view", c_float * 16), ("eye_distance_m", c_float), ("mirrored", c_bool),
-                ("shadow_only", c_bool), ("parts", c_uint64), ("vertex_count", c_uint32), ("joint_count", c_uint32),
-                ("morph_weight_count", c_uint32), ("zone_count", c_uint32)]
+    _fields_ = [("struct_bytes", c_uint32), ("actor", ActorId), ("tmpl", c_void_p), ("level", c_uint32),
+                ("texture_set", c_uint32), ("model_view", c_float * 16), ("eye_distance_m", c_float),
+                ("mirrored", c_bool), ("shadow_only", c_bool), ("parts", c_uint64), ("vertex_count", c_uint32),
+                ("joint_count", c_uint32), ("morph_weight_count", c_uint32), ("zone_count", c_uint32)]
 
 
 class DrawnArrays(Sized):
@@ -175,13 +177,14 @@ class RendererDef(Sized):
 
 
 class DrawStats(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("individuals", c_uint32), ("draws", c_uint32), ("triangles", c_uint32), ("vertices", c_uint64),
-                ("parts", c_uint32), ("matrices", c_uint32)]
+    _fields_ = [("struct_bytes", c_uint32), ("individuals", c_uint32), ("draws", c_uint32), ("triangles", c_uint32),
+                ("vertices", c_uint64), ("parts", c_uint32), ("matrices", c_uint32)]
 
 
 class LevelsDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("targets", POINTER(c_uint32)), ("target_count", c_uint32),
-                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("proxy_max_triangles", c_uint32), ("quadric_only", c_bool)]
+                ("tolerance_px", c_float), ("metres_per_unit", c_float), ("proxy_max_triangles", c_uint32),
+                ("quadric_only", c_bool)]
 
 
 class PrepareDef(Sized):
@@ -229,7 +232,8 @@ STRUCTS = {
     "clq_actor_def": ActorDef, "clq_camera": Camera, "clq_look_at_def": LookAtDef, "clq_texels": Texels,
     "clq_influences": Influences, "clq_hsb_range": HsbRange, "clq_clip_info": ClipInfo,
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,
-    "clq_drawn_actor": DrawnActor, "clq_drawn_arrays": DrawnArrays, "clq_view_stats": ViewStats, "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
+    "clq_drawn_actor": DrawnActor, "clq_drawn_arrays": DrawnArrays, "clq_view_stats": ViewStats,
+    "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
     "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef, "clq_trajectories_def": TrajectoriesDef,
     "clq_trajectories_info": TrajectoriesInfo, "clq_trajectory_person": TrajectoryPerson, "clq_area_ring": AreaRing,
     "clq_area_info": AreaInfo,

@@ -25,8 +25,9 @@ class Ray(Structure):
 
 
 class ScenePick(Sized):
-    _fields_ = [("struct_bytes", c_uint32), ("actor", ActorId), ("index", c_uint32), ("part", c_uint32), ("zone", c_uint32),
-                ("vertices", c_uint32 * 3), ("barycentric", c_float * 3), ("distance", c_double), ("position", c_double * 3)]
+    _fields_ = [("struct_bytes", c_uint32), ("actor", ActorId), ("index", c_uint32), ("part", c_uint32),
+                ("zone", c_uint32), ("vertices", c_uint32 * 3), ("barycentric", c_float * 3), ("distance", c_double),
+                ("position", c_double * 3)]
 
 
 class SceneStats(Sized):

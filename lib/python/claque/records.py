@@ -15,7 +15,9 @@ class Record(Owned):
 
     def __init__(self, context, data, templates=()):
         data = bytes(data)
-        super().__init__(made("clq_record_load", abi.call, context.handle, c_char_p(data), c_size_t(len(data))), context, data)
+        super().__init__(
+            made("clq_record_load", abi.call, context.handle, c_char_p(data), c_size_t(len(data))), context, data
+        )
         if templates:
             self.set_templates(templates)
 

@@ -12,9 +12,9 @@ HIT = numpy.dtype([("actor", ID), ("position", "f8", 3), ("distance", "f8")])
 
 
 class Scene(Owned):
-    """Finds the actors of a crowd. Answers are arrays of ids (dtype scene.ID) or hits (scene.HIT), in the order of the C
-    API; Scene.actor gives the Actor of an id. Filters: template, texture_set, level, any_of, all_of, none_of; the last
-    three are categories as bits."""
+    """Finds the actors of a crowd. Answers are arrays of ids (dtype scene.ID) or hits (scene.HIT), in the order of the
+    C API; Scene.actor gives the Actor of an id. Filters: template, texture_set, level, any_of, all_of, none_of; the
+    last three are categories as bits."""
 
     _destroy = "clq_scene_destroy"
 
@@ -29,16 +29,22 @@ class Scene(Owned):
     def set_categories(self, actors, categories):
         """Sets the categories, bits of one number, of all these actors."""
         ids = _ids(actors)
-        abi.call("clq_scene_set_categories", self.handle, _pointer(ids, abi.ActorId), c_uint32(len(ids)),
-                 c_uint64(categories))
+        abi.call(
+            "clq_scene_set_categories",
+            self.handle,
+            _pointer(ids, abi.ActorId),
+            c_uint32(len(ids)),
+            c_uint64(categories),
+        )
 
     def set_keys(self, actors, keys):
         """Gives actors their places in the host's own order; NaN: none."""
         ids, keys = _ids(actors), numpy.ascontiguousarray(keys, numpy.float64)
         if keys.shape != (len(ids),):
             raise ValueError(f"keys of shape {keys.shape} for {len(ids)} actors")
-        abi.call("clq_scene_set_keys", self.handle, _pointer(ids, abi.ActorId), _pointer(keys, c_double),
-                 c_uint32(len(ids)))
+        abi.call(
+            "clq_scene_set_keys", self.handle, _pointer(ids, abi.ActorId), _pointer(keys, c_double), c_uint32(len(ids))
+        )
 
     def known(self, actor, time_s):
         """The clq_scene_actor of an actor."""
@@ -63,9 +69,18 @@ class Scene(Owned):
     def nearest(self, time_s, point, count=1, max_distance=numpy.inf, **filters):
         """At most `count` hits, the nearest first."""
         hits, got = numpy.zeros(count, HIT), c_uint32()
-        abi.call("clq_scene_find_nearest", self.handle, c_double(time_s), _vector(point), c_double(max_distance),
-                 _filter(filters), _pointer(hits, abi_scene.SceneHit), c_uint32(count), byref(got))
-        return hits[:got.value]
+        abi.call(
+            "clq_scene_find_nearest",
+            self.handle,
+            c_double(time_s),
+            _vector(point),
+            c_double(max_distance),
+            _filter(filters),
+            _pointer(hits, abi_scene.SceneHit),
+            c_uint32(count),
+            byref(got),
+        )
+        return hits[: got.value]
 
     def within(self, time_s, point, radius, **filters):
         """All hits within a distance, the nearest first."""
@@ -105,7 +120,7 @@ class Scene(Owned):
             room = count.value
             out = numpy.zeros(room, dtype)
             abi.call(name, self.handle, *arguments, _pointer(out, struct), c_uint32(room), byref(count))
-        return out[:count.value]
+        return out[: count.value]
 
 
 def ray_of(camera, x, y):

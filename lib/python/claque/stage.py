@@ -64,8 +64,9 @@ class Stage(Owned):
     def machine(self, source, *templates, name="machine"):
         """Reads a state machine for agents of these templates, from a path or from the text itself."""
         handles = (c_void_p * len(templates))(*[template.handle for template in templates])
-        definition = abi_stage.MachineDef(source=_text(source, name), template_count=len(templates),
-                                          templates=cast(handles, POINTER(c_void_p)))
+        definition = abi_stage.MachineDef(
+            source=_text(source, name), template_count=len(templates), templates=cast(handles, POINTER(c_void_p))
+        )
         out = abi_stage.Id()
         abi.call("clq_stage_add_machine", self.handle, byref(definition), byref(out))
         self._templates.extend(templates)
@@ -73,25 +74,44 @@ class Stage(Owned):
 
     def action(self, name, decide=None, show=None):
         """Adds an action of yours: decide and show get (actor's index, time_s, value)."""
+
         def callback(function):
             if not function:
                 return abi_stage.ActionCallback()
-            return abi_stage.ActionCallback(lambda _user, call: function(call[0].actor.index1, call[0].time_s, call[0].value))
+            return abi_stage.ActionCallback(
+                lambda _user, call: function(call[0].actor.index1, call[0].time_s, call[0].value)
+            )
+
         definition = abi_stage.ActionDef(name=name.encode(), decide=callback(decide), show=callback(show))
         abi.call("clq_stage_add_action", self.handle, byref(definition))
         self._callbacks.append(definition)
 
     def agent(self, machine, actor, position=(0, 0, 0), agent_class="", seed=0, start_s=0.0):
-        definition = abi_stage.AgentDef(machine=machine, actor=actor.id, tmpl=actor.template.handle, seed=seed, scale=1.0,
-                                        agent_class=agent_class.encode(), position=(c_double * 3)(*position), start_s=start_s)
+        definition = abi_stage.AgentDef(
+            machine=machine,
+            actor=actor.id,
+            tmpl=actor.template.handle,
+            seed=seed,
+            scale=1.0,
+            agent_class=agent_class.encode(),
+            position=(c_double * 3)(*position),
+            start_s=start_s,
+        )
         out = abi_stage.Id()
         abi.call("clq_stage_add_agent", self.handle, byref(definition), byref(out))
         return Agent(self, out, actor)
 
     def send(self, name, at_s, value=0.0, to=None, to_class=None, radius_m=0.0, position=(0, 0, 0), delay_s_per_m=0.0):
         """Sends an event to one agent, a class, a radius, or all. Any thread may."""
-        event = abi_stage.StageEvent(name=name.encode(), at_s=at_s, value=value, radius_m=radius_m, delay_s_per_m=delay_s_per_m,
-                                     position=(c_double * 3)(*position), to_class=to_class.encode() if to_class else None)
+        event = abi_stage.StageEvent(
+            name=name.encode(),
+            at_s=at_s,
+            value=value,
+            radius_m=radius_m,
+            delay_s_per_m=delay_s_per_m,
+            position=(c_double * 3)(*position),
+            to_class=to_class.encode() if to_class else None,
+        )
         if to:
             event.to = to.id
         abi.call("clq_stage_send", self.handle, byref(event))
@@ -103,17 +123,32 @@ class Stage(Owned):
     def get(self, name, agent=None):
         """A variable of an agent or, without one, of the crowd."""
         out = c_double()
-        abi.call("clq_stage_get_variable", self.handle, agent.id if agent else abi_stage.Id(), name.encode(), byref(out))
+        abi.call(
+            "clq_stage_get_variable", self.handle, agent.id if agent else abi_stage.Id(), name.encode(), byref(out)
+        )
         return out.value
 
     def set(self, name, value, at_s=0.0, agent=None):
-        abi.call("clq_stage_set_variable", self.handle, agent.id if agent else abi_stage.Id(), name.encode(), c_double(value),
-                 c_double(at_s))
+        abi.call(
+            "clq_stage_set_variable",
+            self.handle,
+            agent.id if agent else abi_stage.Id(),
+            name.encode(),
+            c_double(value),
+            c_double(at_s),
+        )
 
     def tell_view(self, agents, in_view, at_s):
         """Tells which agents have come into view (True) or left it."""
         ids = (abi_stage.Id * len(agents))(*[agent.id for agent in agents])
-        abi.call("clq_stage_tell_view", self.handle, ids, (c_bool * len(agents))(*in_view), c_uint32(len(agents)), c_double(at_s))
+        abi.call(
+            "clq_stage_tell_view",
+            self.handle,
+            ids,
+            (c_bool * len(agents))(*in_view),
+            c_uint32(len(agents)),
+            c_double(at_s),
+        )
 
     def step(self, until_s):
         """Decides up to a time."""
@@ -139,6 +174,7 @@ class Stage(Owned):
         def take(_user, piece, size):
             data.extend(string_at(piece, size))
             return 0
+
         write = abi_stage.WriteFunction(take)
         abi.call("clq_stage_save", self.handle, write, None)
         return bytes(data)

@@ -19,12 +19,24 @@ class Trajectories(Owned):
 
     @classmethod
     def load(cls, context, path, **options):
-        return cls(made("clq_trajectories_load", abi.call, context.handle, str(path).encode(), cls._def(options)), context)
+        return cls(
+            made("clq_trajectories_load", abi.call, context.handle, str(path).encode(), cls._def(options)), context
+        )
 
     @classmethod
     def from_bytes(cls, context, data, name="", **options):
-        return cls(made("clq_trajectories_load_memory", abi.call, context.handle, data, c_size_t(len(data)),
-                        name.encode(), cls._def(options)), context)
+        return cls(
+            made(
+                "clq_trajectories_load_memory",
+                abi.call,
+                context.handle,
+                data,
+                c_size_t(len(data)),
+                name.encode(),
+                cls._def(options),
+            ),
+            context,
+        )
 
     @staticmethod
     def _def(options):
@@ -58,7 +70,7 @@ class Trajectories(Owned):
         for i in range(self.info.person_count):
             person = abi.TrajectoryPerson()
             abi.call("clq_trajectories_get_person", self.handle, c_uint32(i), byref(person))
-            out.append((person.id.decode(), samples[person.first_sample:person.first_sample + person.sample_count]))
+            out.append((person.id.decode(), samples[person.first_sample : person.first_sample + person.sample_count]))
         return out
 
     @property
@@ -77,7 +89,9 @@ class Area(Owned):
 
     @classmethod
     def from_bytes(cls, context, data, name=""):
-        return cls(made("clq_area_load_memory", abi.call, context.handle, data, c_size_t(len(data)), name.encode()), context)
+        return cls(
+            made("clq_area_load_memory", abi.call, context.handle, data, c_size_t(len(data)), name.encode()), context
+        )
 
     @property
     def info(self):

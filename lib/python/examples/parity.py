@@ -20,8 +20,10 @@ with claque.Context() as context:
         view = crowd.view()
         view.look_at((4.5, 4, 12), (4.5, 1, -4))
         crowd.update(1.5)
-        worst = max(numpy.abs(skin(citizen.mesh(view.drawn_actor(i).level), view.palette(i)) - view.vertices(i)[0]).max()
-                    for i in range(len(view)))
+        worst = max(
+            numpy.abs(skin(citizen.mesh(view.drawn_actor(i).level), view.palette(i)) - view.vertices(i)[0]).max()
+            for i in range(len(view))
+        )
         print(f"{len(view)} individuals, vertices within {worst * 1000:.4f} mm")
         assert worst < 1e-5
     citizen.close()
