@@ -100,7 +100,7 @@ TEST(NoScreen, IsSaidAtOnce)
     const std::string said{std::istreambuf_iterator<char>(file), {}};
     std::filesystem::remove(log);
     EXPECT_EQ(WEXITSTATUS(status), 1) << said;
-    EXPECT_EQ(said.rfind("claque: no window could be opened", 0), 0u) << said;
+    EXPECT_NE(said.find("claque: no window could be opened"), std::string::npos) << said;
 }
 
 }  // namespace
