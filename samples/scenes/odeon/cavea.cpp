@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samples/scenes/angles.h"
+#include "samples/scenes/odeon/stairs.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/stone.h"
 
@@ -16,7 +17,6 @@ constexpr Rgb seat_marble = {0.93f, 0.89f, 0.81f}, wall = {0.84f, 0.77f, 0.66f};
 constexpr double undercut_m = 0.05, lip_m = 0.13;  // of a seat's front, for the heels
 // Paving reaches a little below the adjoining stone, so that there is neither a crack nor a tie in depth.
 constexpr double below_m = 0.004;
-constexpr double stair_run_m = 0.27, stair_rise_m = 0.22;
 constexpr double gallery_m = 1.3, gallery_wall_m = 2.7, gallery_thick_m = 0.8;
 
 // A corner of a profile in the plane through the axis. shade: the visible fraction of the sky.
@@ -118,21 +118,8 @@ private:
     const SeatRow &row(size_t i) const { return theatre_.rows[i]; }
     double sweep_first() const { return theatre_.rows.front().first_deg; }
 
-    // The start of the stone before a row's seats: at the previous row, at a walkway, or at the orchestra.
-    double front_of(size_t i) const
-    {
-        double front = i == 0 ? theatre_.orchestra_radius_m : row(i - 1).radius_m + row(i - 1).depth_m;
-        for (const Walkway &walkway : theatre_.walkways)
-            if (walkway.inner_m < row(i).radius_m) front = std::max(front, walkway.outer_m);
-        return front;
-    }
-    double floor_before(size_t i) const
-    {
-        double y = 0;
-        for (const Walkway &walkway : theatre_.walkways)
-            if (walkway.inner_m < row(i).radius_m) y = walkway.y_m;
-        return y;
-    }
+    double front_of(size_t i) const { return scenes::front_of(theatre_, i); }
+    double floor_before(size_t i) const { return scenes::floor_before(theatre_, i); }
 
     Profile seats(size_t i) const
     {
@@ -161,7 +148,7 @@ private:
 
     void climb(const Gangway &gangway, double front, double from, double to)
     {
-        const int steps = std::max(1, static_cast<int>((to - from) / stair_rise_m + 0.999));
+        const int steps = climbing_steps(from, to);
         for (int k = 1; k < steps; ++k)
             block(gangway, front - stair_run_m * (steps - k), front + 0.1, from, from + (to - from) * k / steps);
     }
