@@ -87,6 +87,7 @@ void Run::make_stage(Library &library, const RunOptions &options)
     walking.max_count = static_cast<uint32_t>(std::max<size_t>(1, people_.all().size()));
     walking.tick_s = described_.tick_s;
     walking.smooth_s = 0.3f;  // in a crowd tracks are to stay beside each other
+    walking.max_radius_m = static_cast<float>(described_.ground->body_radius_m);
     walking.time_gap_s = static_cast<float>(described_.ground->time_gap_s);
     std::vector<const clq_locomotion *> locomotions;
     for (const walkers::Member &member : people_.cast()) locomotions.push_back(member.locomotion.get());

@@ -48,5 +48,6 @@ std::unique_ptr<Service> make_exits();
 std::unique_ptr<Service> make_doors(const scenes::Staging &stage);
 std::unique_ptr<Service> make_flights(const scenes::Staging &stage);
 std::unique_ptr<Service> make_market(const scenes::ScenarioTown &town);
+std::unique_ptr<Service> make_ushers(const scenes::Scenario &scenario);  // `scenario` has a theatre
 
 }  // namespace staged

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "samples/scenes/odeon/cavea.h"
+#include "samples/scenes/odeon/floor.h"
 #include "samples/scenes/odeon/frons.h"
 #include "samples/scenes/odeon/orchestra.h"
 #include "samples/scenes/sky.h"
@@ -17,15 +18,6 @@ namespace
 {
 
 constexpr Rgb paving_of_theatres = {0.86f, 0.82f, 0.74f};
-
-void add_surface(Floor &out, const Geometry &surface)
-{
-    const auto first = static_cast<uint32_t>(out.vertices.size() / 3);
-    for (const SceneryVertex &vertex : surface.vertices())
-        for (const float x : {vertex.position.x, vertex.position.y, vertex.position.z})
-            out.vertices.push_back(static_cast<double>(x));
-    for (const uint32_t index : surface.indices()) out.triangles.push_back(first + index);
-}
 
 class TheatreSetting final : public Setting
 {
@@ -43,7 +35,14 @@ public:
         ground_.disc(0, 0, 0, reach + 8, 96, scenario.paving.value_or(paving_of_theatres));
     }
 
-    void add_floor(Floor &out) const override { add_surface(out, ground_), add_surface(out, stone_); }
+    // What people walk on, and no seats.
+    void add_floor(staged::Floor &out) const override
+    {
+        const scenes::Floor floor = floor_of(theatre_);
+        const auto first = static_cast<uint32_t>(out.vertices.size() / 3);
+        out.vertices.insert(out.vertices.end(), floor.vertices.begin(), floor.vertices.end());
+        for (const uint32_t index : floor.triangles) out.triangles.push_back(first + index);
+    }
 
     clq_camera camera(Shot shot, double aspect) const override
     {

@@ -88,6 +88,7 @@ void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scena
     if (described.has("max_slope_deg")) made.max_slope_deg = described.number("max_slope_deg", {0, 85});
     if (described.has("max_step_m")) made.max_step_m = described.number("max_step_m", {0, 2});
     if (described.has("cell_m")) made.cell_m = described.number("cell_m", {0.02, 2});
+    if (described.has("body_radius_m")) made.body_radius_m = described.number("body_radius_m", {0.1, 2});
     if (described.has("time_gap_s")) made.time_gap_s = described.number("time_gap_s", {0, 5});
     if (described.has("max_cells")) made.max_cells = described.whole("max_cells", {1, 4e9});
     if (described.has("walls_m")) made.walls_m = described.number("walls_m", {0, 20});
