@@ -20,9 +20,10 @@ Bytes noise(uint64_t seed, size_t size)
 
 void add_descriptions(std::vector<Seed> &out)
 {
-    for (const char *name : {"maps/roman-classes.toml", "maps/cmu-people.toml", "maps/cmu-kaykit.toml",
-                             "scenes/odeon/odeon.toml", "scenes/odeon/path.toml", "scenes/town/path.toml",
-                             "scenarios/corner.toml", "scenarios/evacuation.toml", "scenarios/market.toml"}) {
+    for (const char *name :
+         {"maps/roman-classes.toml", "maps/cmu-people.toml", "maps/cmu-kaykit.toml", "scenes/odeon/odeon.toml",
+          "scenes/odeon/path.toml", "scenes/town/path.toml", "scenarios/corner.toml", "scenarios/evacuation.toml",
+          "scenarios/market.toml", "scenarios/odeon-evening.toml"}) {
         std::ifstream file(std::string(CLAQUE_SOURCE_DIR "/samples/") + name, std::ios::binary);
         Bytes bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
         EXPECT_FALSE(bytes.empty()) << name;

@@ -1,5 +1,5 @@
-// The evening of samples/scenarios/odeon-evening.toml: people find seats of their class that are theirs alone, laugh and
-// applaud with their neighbours and stop, and all leave.
+// The evening of samples/scenarios/odeon-evening.toml: people find seats of their class that are theirs alone, laugh
+// and applaud with their neighbours and stop, and all leave.
 #include <algorithm>
 #include <cmath>
 #include <map>
