@@ -104,9 +104,9 @@ typedef struct clq_view_change {
 /* Gets the actors that entered or left view in the last clq_crowd_update, in the order of index1: each that a view of
  * this update sees and no view of the update before saw, or the other way round. The first update after an actor's
  * creation tells of it, whether it is in view or not; so does the first after clq_crowd_restore, of all. Actors
- * destroyed since are left out. An update that failed changes nothing. claque keeps a bit for each actor, whether the
- * last update saw it; what is drawn never depends on it. Takes time in proportion to what changed and, in steps of 64
- * actors, to what is in view.
+ * destroyed since are left out. An update that failed changes nothing. claque remembers of each actor whether the last
+ * two updates saw it (5 bytes); what is drawn never depends on it. The call's time grows with the number of actors that
+ * changed and, in steps of 64 actors, of those in view.
  *   out         [capacity], or NULL with capacity 0: the call only counts
  *   out_count   the number of actors
  * Fails: ARGUMENT, LIMIT (more than capacity; nothing is written then), BUSY. Threads: any. GL: none. */

@@ -66,7 +66,7 @@ void Flows::reach(double time_s)
 
 void Flows::wait_for(double time_s)
 {
-    if (apart_ && live_ && !failed_) {  // no lock: whoever holds it might have lost its core
+    if (apart_ && live_ && !failed_) {  // no lock: the thread that holds it might have lost its core
         shown_s_ = std::max<double>(shown_s_, time_s);
         changed_.notify_all();
         return;

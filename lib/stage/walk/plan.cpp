@@ -17,7 +17,8 @@ bool is_closed(const Mesh &mesh, dtPolyRef polygon)
 
 }  // namespace
 
-// Those whose way a door bars look for another; those whose way ended look again. Those in a closed door walk out.
+// Walkers whose way a door bars look for another; walkers whose way ended look again. Walkers in a closed door walk
+// out.
 void Walkers::see_doors()
 {
     if (mesh_version_ == mesh_.version) return;

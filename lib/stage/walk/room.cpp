@@ -1,5 +1,5 @@
-// Those who stand make room for those who cannot pass, and take their places again. DetourCrowd walks round who
-// stands, but moves none of them: in a gap both would wait for ever.
+// Standing walkers make room for walkers that cannot pass, and take their places again. DetourCrowd leads walkers round
+// standing ones but moves none of these: in a gap both would wait for ever.
 #include <algorithm>
 #include <cmath>
 
@@ -11,11 +11,11 @@ namespace claque::walk
 namespace
 {
 
-constexpr float look_m = 1.5f;     // how near one comes before others make room
-constexpr float touch_m = 0.15f;   // between bodies: one that steps aside moves those beside it
-constexpr float margin_m = 0.06f;  // between bodies that pass
-constexpr float hampered = 0.7f;   // one that makes less of its speed cannot pass
-constexpr float stuck = 0.1f;      // also where there seems to be room
+constexpr float look_m = 1.5f;     // a walker that comes so near makes others give room
+constexpr float touch_m = 0.15f;   // gap between bodies: a body that steps aside moves bodies so near
+constexpr float margin_m = 0.06f;  // gap between bodies that pass
+constexpr float hampered = 0.7f;   // share of its speed: a walker that makes less cannot pass
+constexpr float stuck = 0.1f;      // the same where there seems to be room
 constexpr float still_m_s = 0.05f;
 constexpr float any_speed = 1e9f;
 constexpr float left_m = 0.2f;       // so far from its place a walker goes back to it
@@ -107,7 +107,7 @@ void Walkers::step_aside(uint32_t i, const Passing &passing, float bodies, bool 
     crowd_->requestMoveVelocity(static_cast<int>(i), velocity);
 }
 
-// Of two who meet where only one can go, the later one goes back.
+// Of two walkers that meet where only one can go, the one with the higher index goes back.
 void Walkers::make_room(uint32_t i)
 {
     Body &body = bodies_[i];
@@ -163,8 +163,8 @@ void Walkers::go_back(uint32_t i, bool went_back)
     crowd_->requestMoveVelocity(static_cast<int>(i), velocity);
 }
 
-// None is pushed that stands: a track does not show it before 0.25 m (docs/tracks.md), and others would be seen to walk
-// through it.
+// A standing walker is not pushed: its track shows no movement below 0.25 m (docs/tracks.md), so others would be drawn
+// walking through it.
 void Walkers::hold_still()
 {
     still_.clear();
@@ -186,7 +186,7 @@ void Walkers::put_still_back()
     }
 }
 
-// Whether it stands before others who stand at its goal: it gets no nearer.
+// Whether walkers that stand at its goal keep it from coming nearer.
 bool Walkers::others_are_there(uint32_t i) const
 {
     const Body &body = bodies_[i];

@@ -40,7 +40,7 @@ void Walkers::step()
 
 // People walk slower the closer the one before them is: the gap between the bodies divided by a time (the
 // collision-free speed model of Tordeux, Chraibi and Seyfried 2016). DetourCrowd alone lets a crowd through a door at
-// twice the rate that was measured. Those who come the other way or stand are walked round.
+// twice the rate that was measured. Walkers that come the other way or stand are walked round.
 void Walkers::keep_distance(uint32_t i)
 {
     const Body &body = bodies_[i];
@@ -86,7 +86,7 @@ void Walkers::look_round(uint32_t i)
         rest(i, body.cut ? CLQ_WALKER_WAITS : CLQ_WALKER_BLOCKED);
 }
 
-// Where its way goes: to the next corner that is not beneath its feet.
+// The direction of its way: to the next corner that is farther than its radius.
 void Walkers::aim(uint32_t i)
 {
     const dtCrowdAgent &a = agent(i);

@@ -49,7 +49,7 @@ struct Body {
     bool used() const { return generation & 1; }
 };
 
-// One who wants to pass: the direction in which it goes, and where a place lies from it.
+// A walker that wants to pass: the direction in which it goes, and where a place lies from it.
 struct Passing {
     float x, z, ahead, aside;
 };
@@ -141,7 +141,7 @@ private:
         dtPolyRef polygon;
         Float3 place;
     };
-    std::vector<Still> still_;  // scratch: those who are not pushed in this tick
+    std::vector<Still> still_;  // scratch: walkers that are not pushed in this tick
     uint64_t ticks_ = 0, plans_ = 0, published_ = 0, mesh_version_ = 0;
     uint32_t next_plan_ = 0;  // the body that is looked at first
     uint32_t count_ = 0;
