@@ -1,5 +1,5 @@
-// The market of a town gives people their places. It answers a machine's call by an event: its place is where to go, its
-// value the heading there, in degrees.
+// The market of a town gives people their places. It answers a machine's call by an event: its place is where to go,
+// its value the heading there, in degrees.
 //   call = "post"     -> "post": behind the nearest stall, to its customers
 //   call = "stall"    -> "stall": a free place before a stall; where none was found, "stroll"
 //   call = "company"  -> "company", for the caller and another one who seeks some: places face to face. It is sent when
