@@ -1,12 +1,9 @@
 // A paved area with walls round it, on a plain: the walkable area of a file, or a rectangle.
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "samples/scenes/shadows.h"
-#include "samples/scenes/sky.h"
-#include "samples/scenes/stone.h"
-#include "samples/scenes/walkers/ground.h"
+#include "samples/scenes/walkers/plain.h"
 #include "samples/stage/setting.h"
 
 namespace staged
@@ -34,18 +31,14 @@ class AreaSetting final : public Setting
 {
 public:
     AreaSetting(Library &library, const Scenario &scenario, uint64_t seed)
-        : library_(library),
-          stage_(*scenario.stage),
-          seed_(seed),
-          light_(scenario.light.value_or(Daylight())),
-          sky_(seed, Sky::Land::hills),
-          ground_(flagstone_metres)
+        : library_(library), stage_(*scenario.stage), plain_(seed, scenario.light.value_or(Daylight()))
     {
         find_plan();
         walkers::Options options;
         options.paving = scenario.paving, options.around = scenario.around;
         if (stage_.ground) options.area = stage_.ground->area, options.walls_m = stage_.ground->walls_m;
-        asked_at(stage_.ground ? stage_.ground->area_at : "", [&] { walkers::lay(library, options, plan_, ground_); });
+        asked_at(stage_.ground ? stage_.ground->area_at : "",
+                 [&] { walkers::lay(library, options, plan_, plain_.ground()); });
     }
 
     void add_floor(Floor &out) const override
@@ -56,37 +49,16 @@ public:
 
     clq_camera camera(Shot shot, double aspect) const override
     {
-        const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
-        const double x = plan_.middle_x, z = plan_.middle_z;
-        if (shot == Shot::close) {
-            const double near_z = z + plan_.half_z;
-            return look({x, 1.62, near_z}, {x, 1.2, near_z - 6}, 50, aspect, 0.2, far);
-        }
-        const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
-        return look({x, 1.15 * reach, z + (plan_.half_z * 0.35 + 1.9 * reach)}, {x, 0.4, z + plan_.half_z * 0.12}, 40,
-                    aspect, 0.5, far);
+        if (shot != Shot::close) return walkers::overview_of(plan_, aspect);
+        const double x = plan_.middle_x, z = plan_.middle_z + plan_.half_z;
+        return look({x, 1.62, z}, {x, 1.2, z - 6}, 50, aspect, 0.2, walkers::far_of(plan_));
     }
 
-    Daylight light() const override { return light_; }
+    Daylight light() const override { return plain_.light(); }
 
-    void prepare(const Gl &gl) override
-    {
-        flagstones_.emplace(gl, flagstones(seed_), true);
-        plaster_.emplace(gl, plaster(seed_), true);
-    }
+    void prepare(const Gl &gl) override { plain_.prepare(gl); }
 
-    void draw(const Gl &g, const Eye &eye) const override
-    {
-        sky_.draw(g, eye);
-        set_lights(g, light_, eye);
-        g.Disable(gl::texture_2d);
-        ground_.around.draw(g);
-        flagstones_->use();
-        ground_.paving.draw(g);
-        g.Enable(gl::cull_face);
-        plaster_->use();
-        ground_.walls.draw(g);
-    }
+    void draw(const Gl &g, const Eye &eye) const override { plain_.draw(g, eye); }
 
 private:
     void add_area(Floor &out) const
@@ -128,12 +100,8 @@ private:
 
     Library &library_;
     Staging stage_;
-    uint64_t seed_;
-    Daylight light_;
-    Sky sky_;
     walkers::Plan plan_;
-    walkers::Ground ground_;
-    std::optional<Texture> flagstones_, plaster_;
+    walkers::Plain plain_;
 };
 
 }  // namespace

@@ -137,9 +137,7 @@ public:
     Replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
         : file_(library, options.file),
           cast_(library, file_.info, file_.record.get(), options.characters),
-          sky_(crowd_options.seed, Sky::Land::hills),
-          ground_(flagstone_metres),
-          seed_(crowd_options.seed)
+          plain_(crowd_options.seed, Daylight())
     {
         const clq_crowd_def def = def_of(file_.record.get(), crowd_options);
         clq_crowd *made = nullptr;
@@ -151,7 +149,7 @@ public:
         plan_.half_z = std::max(1.0, (box.high[2] - box.low[2]) / 2);
         plan_.middle_x = (box.high[0] + box.low[0]) / 2, plan_.middle_z = (box.high[2] + box.low[2]) / 2;
         plan_.ground = box.low[1];
-        lay(library, Options(), plan_, ground_);
+        lay(library, Options(), plan_, plain_.ground());
         place(file_.info.start_s);
         if (!options.follow.empty()) followed_ = number_of(options.follow);
     }
@@ -162,16 +160,13 @@ public:
     clq_camera camera(Shot shot, double aspect, double) const override
     {
         const double x = plan_.middle_x, y = plan_.ground, z = plan_.middle_z;
-        const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
         if (followed_) {
             const double *p = followed_at_;
-            return look({p[0], p[1] + 2.4, p[2] + 5}, {p[0], p[1] + 1, p[2]}, 48, aspect, 0.2, far);
+            return look({p[0], p[1] + 2.4, p[2] + 5}, {p[0], p[1] + 1, p[2]}, 48, aspect, 0.2, far_of(plan_));
         }
-        if (shot == Shot::close)
-            return look({x, y + 1.62, z + plan_.half_z + 3}, {x, y + 1.2, z + plan_.half_z - 3}, 50, aspect, 0.2, far);
-        const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
-        return look({x, y + 1.15 * reach, z + plan_.half_z * 0.35 + 1.9 * reach}, {x, y + 0.4, z + plan_.half_z * 0.12},
-                    40, aspect, 0.5, far);
+        if (shot != Shot::close) return overview_of(plan_, aspect);
+        return look({x, y + 1.62, z + plan_.half_z + 3}, {x, y + 1.2, z + plan_.half_z - 3}, 50, aspect, 0.2,
+                    far_of(plan_));
     }
 
     void place(double time_s) override
@@ -182,23 +177,14 @@ public:
 
     bool take_shadows(clq_shadow_def &def) override
     {
-        def = shadows_in(light_);
+        def = shadows_in(plain_.light());
         def.plane_height = plan_.ground;
         return true;
     }
 
-    void prepare(const Gl &gl) override { flagstones_.emplace(gl, flagstones(seed_), true); }
+    void prepare(const Gl &gl) override { plain_.prepare(gl); }
 
-    void draw_environment(const Gl &g, const Eye &eye) const override
-    {
-        sky_.draw(g, eye);
-        set_lights(g, light_, eye);
-        g.Disable(gl::texture_2d);
-        ground_.around.draw(g);
-        flagstones_->use();
-        ground_.paving.draw(g);
-        g.Enable(gl::cull_face);
-    }
+    void draw_environment(const Gl &g, const Eye &eye) const override { plain_.draw(g, eye); }
 
 private:
     // The actor that has this number now, whichever it is.
@@ -218,14 +204,10 @@ private:
     RecordFile file_;
     Cast cast_;
     Own<clq_crowd> crowd_;
-    Daylight light_;
-    Sky sky_;
     Plan plan_;
-    Ground ground_;
-    uint64_t seed_;
+    Plain plain_;
     std::optional<uint32_t> followed_;
     double followed_at_[3] = {0, 0, 0};
-    std::optional<Texture> flagstones_;
 };
 
 }  // namespace

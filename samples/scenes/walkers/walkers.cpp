@@ -4,12 +4,9 @@
 #include <cmath>
 #include <optional>
 
-#include "samples/scenes/light.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/shadows.h"
-#include "samples/scenes/sky.h"
-#include "samples/scenes/stone.h"
-#include "samples/scenes/walkers/ground.h"
+#include "samples/scenes/walkers/plain.h"
 
 namespace scenes::walkers
 {
@@ -24,10 +21,7 @@ class Walkers final : public Scene, public SocialClasses
 {
 public:
     Walkers(Library &library, const CrowdOptions &crowd_options, const Options &options)
-        : scene_crowd_(library, crowd_options),
-          light_(options.light),
-          sky_(crowd_options.seed, Sky::Land::hills),
-          ground_(flagstone_metres)
+        : scene_crowd_(library, crowd_options), plain_(crowd_options.seed, options.light)
     {
         const OwnTrajectories trajectories = asked_at(options.places.file, [&] { return load(library, options); });
         plan_ = plan_of(trajectories.get(), options);
@@ -38,8 +32,7 @@ public:
         people_ = tracks_of(library, trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
         for (const Person &person : people_) enter(person);
         busiest_s_ = busiest();
-        asked_at(options.places.area, [&] { lay(library, options, plan_, ground_); });
-        seed_ = crowd_options.seed;
+        asked_at(options.places.area, [&] { lay(library, options, plan_, plain_.ground()); });
         if (!options.follow.empty()) followed_ = asked_at(options.places.follow, [&] { return find(options.follow); });
     }
 
@@ -57,16 +50,9 @@ public:
     clq_camera camera(Shot shot, double aspect, double time_s) const override
     {
         if (followed_) return behind(people_[*followed_], time_s, aspect);
-        const double far = 400 + 6 * std::max(plan_.half_x, plan_.half_z);
-        if (shot == Shot::close) {
-            const double z = plan_.middle_z + plan_.half_z + 3;
-            return look({plan_.middle_x, 1.62, z}, {plan_.middle_x, 1.2, z - 6}, 50, aspect, 0.2, far);
-        }
-        // From the south, so high that the people fill the picture.
-        const double reach = std::max(plan_.half_x / aspect * 1.25, plan_.half_z * 0.9) + 1.5;
-        const double x = plan_.middle_x, z = plan_.middle_z;
-        return look({x, 1.15 * reach, z + (plan_.half_z * 0.35 + 1.9 * reach)}, {x, 0.4, z + plan_.half_z * 0.12}, 40,
-                    aspect, 0.5, far);
+        if (shot != Shot::close) return overview_of(plan_, aspect);
+        const double z = plan_.middle_z + plan_.half_z + 3;
+        return look({plan_.middle_x, 1.62, z}, {plan_.middle_x, 1.2, z - 6}, 50, aspect, 0.2, far_of(plan_));
     }
 
     void place(double time_s) override
@@ -86,29 +72,20 @@ public:
     bool take_shadows(clq_shadow_def &def) override
     {
         paints_people_ = false;
-        def = shadows_in(light_);
+        def = shadows_in(plain_.light());
         return true;
     }
 
     void prepare(const Gl &gl) override
     {
-        flagstones_.emplace(gl, flagstones(seed_), true);
-        plaster_.emplace(gl, plaster(seed_), true);
+        plain_.prepare(gl);
         shadows_.prepare(gl);
     }
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
-        set_lights(g, light_, eye);
-        g.Disable(gl::texture_2d);
-        ground_.around.draw(g);
-        flagstones_->use();
-        ground_.paving.draw(g);
-        g.Enable(gl::cull_face);
-        plaster_->use();
-        ground_.walls.draw(g);
-        if (paints_people_) shadows_.cast(places_, light_.to_sun, person_height_m, shadow_width_m);
+        plain_.draw(g, eye);
+        if (paints_people_) shadows_.cast(places_, plain_.light().to_sun, person_height_m, shadow_width_m);
         shadows_.draw(g);
     }
 
@@ -166,15 +143,11 @@ private:
     std::vector<Member> cast_;
     std::vector<Person> people_;
     SceneCrowd scene_crowd_;
-    Daylight light_;
-    Sky sky_;
-    Ground ground_;
-    uint64_t seed_ = 1;
+    Plain plain_;
     double busiest_s_ = 0;
     std::optional<size_t> followed_;
     std::vector<clq_transform> places_;
     bool paints_people_ = true;
-    std::optional<Texture> flagstones_, plaster_;
     mutable Shadows shadows_;
 };
 

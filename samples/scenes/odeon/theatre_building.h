@@ -1,0 +1,39 @@
+// The building of a theatre and the ground round it, without people.
+#pragma once
+
+#include <optional>
+
+#include "samples/scenes/light.h"
+#include "samples/scenes/odeon/orchestra.h"
+#include "samples/scenes/scenario/scenario.h"
+#include "samples/scenes/sky.h"
+
+namespace scenes
+{
+
+class TheatreBuilding
+{
+public:
+    // `scenario` has a theatre.
+    TheatreBuilding(const Scenario &scenario, uint64_t seed);
+
+    const Theatre &theatre() const { return theatre_; }
+    const Daylight &light() const { return light_; }
+
+    // From above the stage, before its wall: all of it.
+    clq_camera overview(double aspect) const;
+    void prepare(const Gl &gl);
+    // The sky too.
+    void draw(const Gl &gl, const Eye &eye) const;
+
+private:
+    uint64_t seed_;
+    Theatre theatre_;
+    Daylight light_;
+    Sky sky_;
+    Orchestra orchestra_;
+    Geometry ground_, stone_;
+    std::optional<Texture> flagstones_, plaster_;
+};
+
+}  // namespace scenes
