@@ -99,7 +99,7 @@ TEST_F(Cameras, FollowAPersonThatWalks)
 TEST_F(Cameras, FrameThePickedPerson)
 {
     view::Session &s = open({});
-    play({"click \"pause\"", "click person 2", "key F", "wait 0.1"});
+    play({"click \"pause\"", "click person 2", "drag view 0.3 0.3 0.5 0.4 middle", "key F", "wait 0.1"});
     view::Box box;
     ASSERT_TRUE(s.world().outline(s.model().picked.actor, box));
     const float width = static_cast<float>(s.world().width()), height = static_cast<float>(s.world().height());
