@@ -10,6 +10,7 @@
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/track_arguments.h"
 #include "samples/scenes/walkers/replay.h"
+#include "samples/view/designer/line_up.h"
 
 namespace cli
 {
@@ -19,14 +20,39 @@ namespace
 struct ViewArguments {
     SceneArguments setup;
     TrackArguments tracks;
-    std::string script, folder = ".";
+    std::string script, colours, folder = ".";
     double scale = 1;
 };
 
 // What the view keeps as long as its scene.
 struct Kept {
     LoadedCharacter character;
+    std::vector<LoadedCharacter> people;
 };
+
+constexpr uint32_t people_in_line = 30;
+
+bool lines_up(const ViewArguments &a) { return a.tracks.file.empty() && !a.tracks.characters.empty(); }
+
+// The people of --characters side by side. Files are read now, built-in people when the scene is made.
+void line_up(const ViewArguments &a, scenes::Library &library, Kept &kept, view::Opened &opened)
+{
+    std::vector<std::string> names = names_in(a.tracks.characters);
+    std::vector<scenes::Character> loaded(names.size());
+    for (size_t k = 0; k < names.size(); ++k) {
+        if (names[k].find_first_of("./") == std::string::npos) continue;
+        kept.people.push_back(load_character(library, names[k], a.setup.hidden));
+        loaded[k] = kept.people.back().character();
+    }
+    opened.options.make = [names, loaded](scenes::Library &of, const scenes::CrowdOptions &crowd_options) {
+        std::vector<scenes::Character> characters = loaded;
+        for (size_t k = 0; k < names.size(); ++k)
+            if (!characters[k].tmpl) characters[k] = view::builtin_person(of, names[k], crowd_options.lod);
+        return view::make_line_up(of, crowd_options, characters);
+    };
+    opened.options.crowd_options.count = a.setup.count > 0 ? a.setup.count : people_in_line;
+    opened.options.crowd_options.seed = a.setup.seed;
+}
 
 bool ends_with(const std::string &text, const std::string &end)
 {
@@ -78,6 +104,7 @@ view::Opened open(const ViewArguments &a, scenes::Library &library)
         setup.camera = "path";
         opened.options = scene_options(setup, kept->character);
     }
+    if (lines_up(a)) line_up(a, library, *kept, opened);
     opened.keeps = kept;
     if (opened.options.path) opened.last_s = std::max(60.0, opened.options.path->end_s());
     return opened;
@@ -88,7 +115,9 @@ int strategy_number(const std::string &name) { return static_cast<int>(strategy_
 view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress> &progress)
 {
     view::Request request;
-    request.title = "claque: " + (a.setup.file.empty() ? scene_of(a.setup) : a.setup.file);
+    request.title = "claque: " + (lines_up(a)            ? a.tracks.characters
+                                  : a.setup.file.empty() ? scene_of(a.setup)
+                                                         : a.setup.file);
     request.open = [a](scenes::Library &library) { return open(a, library); };
     request.switches.strategy = strategy_number(a.setup.strategy);
     request.switches.levels = a.setup.lod == "off" ? 0 : 1;
@@ -99,6 +128,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
                       : a.setup.context == "egl"  ? contexts::Kind::egl
                                                   : contexts::Kind::any;
     request.folder = a.folder;
+    request.colours = a.colours;
     request.script_file = a.script;
     if (!a.script.empty()) request.script = text_of(a.script);
     request.save_picture = [](const std::string &path, const std::vector<uint8_t> &rgb, int width, int height) {
@@ -135,7 +165,10 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--threads", a->setup.threads, "Threads of the update, through oneTBB (default: the cores)")
         ->check(CLI::Range(1, 4));
     c.add_option("--script", a->script, "Play a script without a window (docs/view.md)")->type_name("FILE.toml");
-    c.add_option("--shots", a->folder, "Folder of saved pictures and camera paths (default: the current one)")
+    c.add_option("--colours", a->colours, "Colour map to wear and to design (TOML, docs/colours.md)")
+        ->type_name("FILE");
+    c.add_option("--shots", a->folder,
+                 "Folder of saved pictures, camera paths and colour maps (default: the current one)")
         ->type_name("DIR");
     c.add_option("--context", a->setup.context, "Source of OpenGL for scripts; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
@@ -145,6 +178,8 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
 void check_view_usage(ViewArguments &a)
 {
     const int subjects = !a.setup.file.empty() + !a.setup.scene.empty() + !a.setup.scenario.empty();
+    if (subjects > 0 && lines_up(a) && (a.setup.file.empty() || is_character(a.setup.file)))
+        throw CLI::ValidationError("--characters", "line up by themselves, or walk on the tracks of a file");
     if (subjects > 1) throw CLI::ValidationError("FILE", "--scene and --scenario exclude each other");
     if (!a.setup.file.empty() && !is_character(a.setup.file)) std::swap(a.tracks.file, a.setup.file);
     read_scenario(a.setup);

@@ -61,6 +61,24 @@ bool load_gl_calls(scenes::GetProcAddress get, void *user, std::string &missing)
     return true;
 }
 
+unsigned put_picture(unsigned texture, int side_px, const uint8_t *rgba)
+{
+    namespace gl = scenes::gl;
+    constexpr unsigned bound = 0x8069;
+    int before = 0;
+    gl_calls.GetIntegerv(bound, &before);
+    if (texture == 0) gl_calls.GenTextures(1, &texture);
+    gl_calls.BindTexture(gl::texture_2d, texture);
+    gl_calls.TexParameteri(gl::texture_2d, gl::mag_filter, gl::nearest);
+    gl_calls.TexParameteri(gl::texture_2d, gl::min_filter, gl::nearest);
+    gl_calls.PixelStorei(gl::unpack_alignment, 1);
+    gl_calls.TexImage2D(gl::texture_2d, 0, gl::rgba, side_px, side_px, 0, gl::rgba, gl::unsigned_byte, rgba);
+    gl_calls.BindTexture(gl::texture_2d, static_cast<unsigned>(before));
+    return texture;
+}
+
+void drop_picture(unsigned texture) { gl_calls.DeleteTextures(1, &texture); }
+
 }  // namespace view
 
 // Hidden, so that no library which the program opens takes them for libGL's.

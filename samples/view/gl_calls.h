@@ -2,6 +2,7 @@
 // go to the functions of the current context, which may be OSMesa's, EGL's or a window's.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "samples/scenes/gl.h"
@@ -11,5 +12,9 @@ namespace view
 
 // From the current context, for all later calls. Returns false with the name of the missing function if it cannot.
 bool load_gl_calls(scenes::GetProcAddress get, void *user, std::string &missing);
+
+// A square picture of RGBA bytes as a texture that is sampled at its nearest texel; 0 makes one. Returns its name.
+unsigned put_picture(unsigned texture, int side_px, const uint8_t *rgba);
+void drop_picture(unsigned texture);
 
 }  // namespace view

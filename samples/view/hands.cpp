@@ -76,6 +76,7 @@ void Hands::keys(Model &model, const Input &input)
         model.view.mode = CameraMode::free;
         model.view.free.walk(right, ahead);
     }
+    if (input.control && pressed('Z')) (input.shift ? model.designer.wishes.redo : model.designer.wishes.undo) = true;
     if (pressed('F')) model.wishes.frame_selection = true;
     if (pressed(key::space)) model.clock.paused = !model.clock.paused;
     if (pressed(key::tab)) model.panel = !model.panel;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "samples/view/designer/designer.h"
 #include "samples/view/free_camera.h"
 
 namespace view
@@ -69,7 +70,7 @@ struct Wishes {
 };
 
 struct Sections {
-    bool camera = true, person = true, character = false, frame = false;
+    bool camera = true, person = true, character = false, designer = false, frame = false;
 };
 
 struct Model {
@@ -81,10 +82,12 @@ struct Model {
     bool spheres = false, panel = true;
     std::string saved_as = "view";  // the beginning of the names of pictures and paths
     Picked picked;
+    uint64_t picks = 0;  // clicks in the picture that picked or let go
     float fade_s = 0.3f;
     int curve = 1;                                // of clq_curve
     std::map<uint32_t, std::vector<float>> dofs;  // set by hand, by index1; NaN: left to the clip
     Sections open;
+    Designer designer;
     FrameCost cost;
     std::deque<FrameCost> history;  // ten seconds at 25 frames a second
     Wishes wishes;

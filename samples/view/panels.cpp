@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "samples/view/designer/panel.h"
+
 namespace view
 {
 
@@ -49,6 +51,7 @@ void panels(Ui &ui, Model &model, const World &world, const Input &input)
     if (ui.section("Camera", model.open.camera)) camera_panel(ui, model, world);
     if (ui.section("Person", model.open.person)) person_panel(ui, model, world);
     if (ui.section("Character", model.open.character)) character_panel(ui, model, world);
+    if (ui.section("Designer", model.open.designer)) designer_panel(ui, model, world);
     if (ui.section("Frame", model.open.frame)) frame_panel(ui, model, world);
     ui.end_panel();
 }

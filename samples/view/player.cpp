@@ -114,12 +114,14 @@ Box Player::reach(const Step &step, const std::string &name, const Ui &ui)
         fail(step, "there is no widget '" + name + "' in sight; there are: " + names);
     }
     const Box &box = widget->box, &clip = widget->clip;
-    const float middle = (box.y0 + box.y1) / 2;
-    if (middle > clip.y0 && middle < clip.y1) return box;
+    const float middle = (box.y0 + box.y1) / 2, high = box.y1 - box.y0;
+    // Any place of a tall one may be meant, so all of it has to be in sight.
+    const float above = high > 4 * ui.em() && high < (clip.y1 - clip.y0) / 2 ? high / 2 : 0;
+    if (middle - above > clip.y0 && middle + above < clip.y1) return box;
     if (++scrolls_ > most_scrolls) fail(step, "the widget '" + name + "' cannot be scrolled into sight");
     move((clip.x0 + clip.x1) / 2, (clip.y0 + clip.y1) / 2);
     frames_.push_back(still());
-    frames_.back().wheel = middle > clip.y1 ? -1.0f : 1.0f;
+    frames_.back().wheel = middle + above >= clip.y1 ? -1.0f : 1.0f;
     frames_.push_back(still());
     again_ = true;
     return box;
@@ -166,7 +168,9 @@ void Player::drag(const Step &step, const Ui &ui, const World &world)
         to[k] = static_cast<float>(number(step, (across ? 3u : 4u) + k, 0, 1));
     }
     const Button button = step.words.size() == 7 ? button_named(step, step.words[6]) : left_button;
+    const Widget *widget = on_view ? nullptr : ui.find(step.words[1]);
     const auto place = [&](float t) {
+        if (across && widget && widget->round) return turn_to(box, from[0], to[0], t);
         move(box.x0 + (box.x1 - box.x0) * (from[0] + (to[0] - from[0]) * t),
              box.y0 + (box.y1 - box.y0) * (from[1] + (to[1] - from[1]) * t));
         frames_.push_back(still());
@@ -177,6 +181,16 @@ void Player::drag(const Step &step, const Ui &ui, const World &world)
     now_.buttons[button] = false;
     place(1);
     place(1);
+}
+
+// On a circle, onwards from one place to another; across its top where the second place comes first.
+void Player::turn_to(const Box &box, float from, float to, float t)
+{
+    const double angle = 6.283185307179586 * static_cast<double>(from + (to + (to < from ? 1 : 0) - from) * t);
+    const double radius = 0.42 * static_cast<double>(box.x1 - box.x0);
+    move((box.x0 + box.x1) / 2 + static_cast<float>(radius * std::sin(angle)),
+         (box.y0 + box.y1) / 2 - static_cast<float>(radius * std::cos(angle)));
+    frames_.push_back(still());
 }
 
 void Player::type(const Step &step, const Ui &ui)

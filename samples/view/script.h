@@ -51,6 +51,7 @@ private:
     Box reach(const Step &step, const std::string &name, const Ui &ui);
     void move(float x, float y);
     void press(float x, float y, Button button);
+    void turn_to(const Box &box, float from, float to, float t);
     Input still() const;  // nothing happens
 
     Script script_;

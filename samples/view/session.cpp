@@ -46,6 +46,10 @@ void Session::frame(const Input &input)
     Input on_picture = input;
     on_picture.width = layout.picture_width, on_picture.height = layout.picture_height;
     hands_.act(model_, on_picture, !ui_.takes_mouse(), !ui_.takes_keys());
+    Designer &designer = model_.designer;
+    if (designer.wishes.undo) undo(designer);
+    if (designer.wishes.redo) redo(designer);
+    designer.wishes.undo = designer.wishes.redo = false;
     const double middle = now_ ? now_() : 0;
     world_.frame(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
     const double last = now_ ? now_() : 0;

@@ -6,6 +6,8 @@
 #include <imgui.h>
 #include <imgui_impl_opengl2.h>
 
+#include "samples/view/gl_calls.h"
+
 namespace view
 {
 namespace
@@ -57,6 +59,7 @@ Ui::Ui(float scale) : context_(ImGui::CreateContext()), em_(letter_px * std::max
     ImGuiIO &io = ImGui::GetIO();
     io.IniFilename = nullptr;
     io.LogFilename = nullptr;
+    io.ConfigDragClickToInputText = true;
     set_keys(io);
     set_style(em_ / letter_px);
     ImFontConfig font;
@@ -70,6 +73,7 @@ Ui::Ui(float scale) : context_(ImGui::CreateContext()), em_(letter_px * std::max
 Ui::~Ui()
 {
     ImGui::SetCurrentContext(context_);
+    for (const auto &[name, uploaded] : pictures_) drop_picture(uploaded.texture);
     ImGui_ImplOpenGL2_Shutdown();
     ImGui::DestroyContext(context_);
 }
@@ -122,11 +126,13 @@ Widget Ui::placed(const std::string &name, bool used) const
             used};
 }
 
-bool Ui::note(const std::string &name, bool used)
+Widget &Ui::mark(const std::string &name, bool used)
 {
     drawn_.push_back(placed(name, used));
-    return used;
+    return drawn_.back();
 }
+
+bool Ui::note(const std::string &name, bool used) { return mark(name, used).used; }
 
 bool Ui::section(const char *name, bool &open)
 {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -21,8 +23,9 @@ struct Box {
 
 struct Widget {
     std::string name;
-    Box box, clip;      // where it is, and the part of the picture that its panel shows
-    bool used = false;  // in this frame
+    Box box, clip;       // where it is, and the part of the picture that its panel shows
+    bool used = false;   // in this frame
+    bool round = false;  // a share of it is a share of a turn: 0 at the top, clockwise
 };
 
 class Ui
@@ -52,6 +55,14 @@ public:
     bool choice(const char *name, int &value, const std::vector<std::string> &items);
     bool text_field(const char *name, std::string &value);
     void rest_of_line(float width_em);  // the width of the next slider
+    void same_line();
+    // A number to drag sideways, or to type after a click. `step`: for each pixel.
+    bool number(const char *name, float &value, float low, float high, const char *format, float step);
+    // A picture of RGBA bytes, its side a power of two. `number` is that of its content. Returns whether the mouse was
+    // pressed on it or is held; u, v: where, 0 to 1 from its upper left corner.
+    bool picture(const char *name, const uint8_t *rgba, int side_px, uint64_t number, float side, float &u, float &v);
+    // A widget that is drawn elsewhere with Dear ImGui: its last item.
+    Widget &mark(const std::string &name, bool used);
 
     void text(const std::string &words);
     void faint(const std::string &words);
@@ -67,6 +78,7 @@ public:
 
     // Whether the mouse and the keys are for a widget rather than for the picture.
     bool takes_mouse() const;
+    bool holds() const;  // whether a widget is held by the mouse, or has the keys
     bool takes_keys() const;
 
     float em() const { return em_; }                                 // the height of a letter in pixels
@@ -83,6 +95,12 @@ private:
     std::string font_;
     std::vector<Widget> widgets_, drawn_, texts_, said_;
     float next_width_em_ = 0;
+    struct Uploaded {
+        unsigned texture = 0;
+        uint64_t number = 0;
+        int side_px = 0;
+    };
+    std::map<std::string, Uploaded> pictures_;
 };
 
 }  // namespace view

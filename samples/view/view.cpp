@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "samples/view/designer/files.h"
 #include "samples/view/script.h"
 #include "samples/view/session.h"
 
@@ -26,6 +27,7 @@ public:
     }
     void wishes(Surface &surface, const Input &input, const World &world, Model &model)
     {
+        keep_designs(model.designer, world.context(), request_.folder, request_.save_text, model.message);
         try {
             if (model.wishes.picture) {
                 const std::string name = named(model) + ".png";
@@ -57,6 +59,17 @@ private:
     int number_ = 0, pictures_ = 0;
 };
 
+// The people wear a map's colours from the first frame on.
+void put_on(const Request &request, Session &session)
+{
+    if (request.colours.empty()) return;
+    Designer &designer = session.model().designer;
+    load_design(designer, session.world().context(), request.colours);
+    designer.history = {};
+    designer.file = request.colours;
+    session.model().open.designer = true;
+}
+
 void run_script(const Request &request)
 {
     Script script = read_script(request.script, request.script_file);
@@ -65,6 +78,7 @@ void run_script(const Request &request)
     Player player(std::move(script), request.width, request.height);
     const auto surface = make_offscreen_surface(request.context, request.width, request.height);
     Session session(*surface, request.open, request.switches, request.scale, now);
+    put_on(request, session);
     Saved saved(request);
     Input input;
     uint64_t frames = 0;
@@ -82,6 +96,7 @@ void run_window(const Request &request)
 {
     const auto window = open_window(request.title, request.width, request.height);
     Session session(*window, request.open, request.switches, request.scale, steady_s);
+    put_on(request, session);
     Saved saved(request);
     Input input;
     uint64_t frames = 0;

@@ -17,7 +17,8 @@ struct Request {
     float scale = 1;
     contexts::Kind context = contexts::Kind::any;
     std::string script, script_file;  // the text of a script and its name; no name: a window
-    std::string folder = ".";         // where pictures and paths are saved
+    std::string colours;              // a colour map for the designer; no name: none
+    std::string folder = ".";         // where pictures, paths and colour maps are saved
     std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)> save_picture;
     std::function<void(const std::string &path, const std::string &text)> save_text;
     std::function<void(const std::string &what)> progress;

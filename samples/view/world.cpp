@@ -47,6 +47,7 @@ void World::unmake()
     for (auto &renderer : renderers_) renderer.reset();
     renderer_ = nullptr;
     mechanisms_.clear();
+    dresser_.forget();
     dofs_.clear();
     handled_.clear();
     index_ = nullptr;  // ends with its crowd
@@ -63,7 +64,8 @@ void World::make(const Switches &switches)
     library_ = std::make_unique<scenes::Library>(switches.threads);
     opened_ = open_(*library_);
     const scenes::SceneOptions &options = opened_.options;
-    const scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
+    scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
+    if (people_ > 0) crowd_options.count = people_;
     scene_ = options.make ? options.make(*library_, crowd_options)
                           : scenes::make_scene(options.scene, *library_, crowd_options, options.character);
     scene_->prepare(gl_);
@@ -96,7 +98,8 @@ void World::use_strategy(int strategy)
 
 void World::follow(Model &model)
 {
-    const bool anew = model.wishes.anew || makes_anew(model.switches, made_);
+    const bool other_number = model.designer.people != people_ && !count_people(model.designer.people);
+    const bool anew = other_number || model.wishes.anew || makes_anew(model.switches, made_);
     if (anew) {
         make(model.switches);
         model.dofs.clear();
@@ -165,13 +168,17 @@ void World::frame(Model &model, int width, int height, int below)
     place_camera(model, static_cast<double>(width_) / height_);
     eye_ = scenes::eye_of(camera_);
     tint(model);
+    dress(model);
     scenes::check(clq_view_set_height(view_.get(), static_cast<float>(height_)));
     scenes::check(clq_view_set_camera(view_.get(), &camera_));
     clq_view *views[] = {view_.get()};
     start = now_s();
     scenes::check(clq_crowd_update(scene_->crowd(), time_s_, views, 1));
     cost.update_ms = ms_since(start);
-    if (pick_at) model.picked = pick((*pick_at)[0], (*pick_at)[1]);
+    if (pick_at) {
+        model.picked = pick((*pick_at)[0], (*pick_at)[1]);
+        ++model.picks;
+    }
     draw(model);
     cost.crowd = clq_crowd_stats_init();
     scenes::check(clq_crowd_get_stats(scene_->crowd(), &cost.crowd));

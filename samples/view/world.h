@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "samples/scenes/scene_renderer.h"
+#include "samples/view/designer/dresser.h"
 #include "samples/view/model.h"
 #include "samples/view/surface.h"
 #include "samples/view/ui.h"
@@ -38,6 +39,7 @@ public:
     void frame(Model &model, int width, int height, int below);
 
     clq_crowd *crowd() const { return scene_->crowd(); }
+    clq_context *context() const { return library_->context(); }
     const clq_camera &camera() const { return camera_; }
     bool has_path() const { return path_.has_value(); }
     double first_s() const { return opened_.first_s; }
@@ -65,6 +67,7 @@ private:
     bool body(clq_actor actor, Point &centre, double &radius) const;
     bool drawn(clq_actor actor, uint32_t &index, clq_drawn_actor &out) const;
     void make(const Switches &switches);
+    bool count_people(uint32_t wanted);
     void unmake();
     void use_strategy(int strategy);
     void follow(Model &model);
@@ -72,6 +75,7 @@ private:
     void tint(Model &model);
     void play_clip(Model &model, uint32_t clip);
     void set_dofs(const Model &model);
+    void dress(Model &model);
     clq_mechanism mechanism_for(const clq_template *tmpl);
     void draw(Model &model);
     double now_s() const { return now_ ? now_() : 0; }
@@ -98,6 +102,8 @@ private:
     std::map<uint32_t, std::vector<float>> dofs_;  // of the model, for the mechanism
     std::map<uint32_t, clq_actor> handled_;        // whose joints are set by hand
     std::map<const clq_template *, clq_mechanism> mechanisms_;
+    Dresser dresser_;
+    uint32_t people_ = 0;  // that were wished for; 0: as many as the scene has
 };
 
 }  // namespace view

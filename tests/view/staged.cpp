@@ -1,7 +1,20 @@
 #include "tests/view/staged.h"
 
+#include "samples/view/designer/line_up.h"
+
 namespace view_test
 {
+
+std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> line_up_of(
+    const std::vector<std::string> &names)
+{
+    return [names](scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
+        std::vector<scenes::Character> characters;
+        for (const std::string &name : names)
+            characters.push_back(view::builtin_person(library, name, crowd_options.lod));
+        return view::make_line_up(library, crowd_options, characters);
+    };
+}
 
 void Staged::SetUp()
 {
@@ -22,6 +35,7 @@ view::Session &Staged::open(const Stage &stage)
             view::Opened opened;
             opened.options.scene = stage.scene;
             opened.options.crowd_options.count = stage.count;
+            if (!stage.line_up.empty()) opened.options.make = line_up_of(stage.line_up);
             if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
             return opened;
         },

@@ -16,8 +16,12 @@ struct Stage {
     uint32_t count = 5;
     int width = 480, height = 480;
     float scale = 1;
-    std::string character = {};  // a built-in one, for the parade
+    std::string character = {};             // a built-in one, for the parade
+    std::vector<std::string> line_up = {};  // built-in people side by side, in place of a scene
 };
+
+std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> line_up_of(
+    const std::vector<std::string> &names);
 
 // Skips the test where this machine has no software GL.
 class Staged : public testing::Test

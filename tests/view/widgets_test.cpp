@@ -9,7 +9,7 @@ namespace
 using view_test::Stage;
 using view_test::Staged;
 
-// Without the names of clips and joints, which characters bring along.
+// Without the names of clips, joints, zones and texture sets, which characters bring along.
 const std::vector<std::string> &names_of_widgets()
 {
     static const std::vector<std::string> names = {"pause",
@@ -22,6 +22,7 @@ const std::vector<std::string> &names_of_widgets()
                                                    "Camera",
                                                    "Person",
                                                    "Character",
+                                                   "Designer",
                                                    "Frame",
                                                    "camera: overview",
                                                    "camera: close",
@@ -51,6 +52,40 @@ const std::vector<std::string> &names_of_widgets()
                                                    "curve: smooth",
                                                    "curve: inertial",
 
+                                                   "undo",
+                                                   "redo",
+                                                   "load map",
+                                                   "save map",
+                                                   "map file",
+                                                   "people",
+                                                   "template: citizen",
+                                                   "textures: mixed",
+                                                   "textures: own",
+                                                   "texels",
+                                                   "zone: skin",
+                                                   "zone: tunic",
+                                                   "hue arc",
+                                                   "shade box",
+                                                   "hue",
+                                                   "saturation",
+                                                   "brightness",
+                                                   "one colour",
+                                                   "palette",
+                                                   "entry: 1",
+                                                   "entry: 2",
+                                                   "weight",
+                                                   "add entry",
+                                                   "remove entry",
+                                                   "spread: hsb",
+                                                   "spread: oklab",
+                                                   "linked to: none",
+                                                   "linked to: hair",
+                                                   "variation",
+                                                   "leave to template",
+                                                   "class: citizens",
+                                                   "class name",
+                                                   "add class",
+                                                   "remove class",
                                                    "strategy: fused",
                                                    "strategy: binned",
                                                    "strategy: per zone",
@@ -82,7 +117,14 @@ protected:
         stage.count = 2;
         open(stage);
         play({"click \"pause\"", "click person 1", "click \"keep as: 1\"", "click \"add key\"", "click \"step\"",
-              "click \"add key\"", "click \"Character\"", "click \"Frame\""});
+              "click \"add key\"", "click \"Character\"", "click \"Frame\"", "click \"Designer\""});
+        design_all();
+    }
+    // A zone that is linked and has two palette entries of its own.
+    void design_all()
+    {
+        play({"click \"zone: hair\"", "click \"spread: oklab\"", "click \"zone: tunic\"", "click \"linked to: hair\"",
+              "click \"add entry\"", "click \"entry: 1\""});
     }
 
     bool uses(const std::string &name)
@@ -92,8 +134,14 @@ protected:
             const view::Widget *widget = session().ui().find(name);
             used = used || (widget && widget->used);
         };
-        const bool slides = name == "speed" || name == "time" || name == "field" || name == "fade";
-        if (name == "saved as") play({"type \"saved as\" \"film\""});
+        static const std::set<std::string> slide = {"speed",  "time",    "field",     "fade",     "people",
+                                                    "weight", "hue arc", "shade box", "variation"};
+        static const std::map<std::string, const char *> typed = {
+            {"saved as", "film"},      {"map file", "map"},       {"hue", "10 20"},      {"saturation", "0.1 0.2"},
+            {"brightness", "0.1 0.2"}, {"one colour", "#102030"}, {"class name", "folk"}};
+        const bool slides = slide.count(name) != 0;
+        if (typed.count(name) != 0) play({"type \"" + name + "\" \"" + typed.at(name) + "\""});
+        else if (name == "palette") play({"drag \"palette\" 0.9 0.9"});
         else play({slides ? "drag \"" + name + "\" 0.15 0.85" : "click \"" + name + "\""});
         seen = [] {};
         return used;
@@ -117,8 +165,15 @@ TEST_F(Widgets, AreAllReachedByTheirNames)
     play({});
     ASSERT_TRUE(session().world().find(session().model().picked.actor, info));
     for (const std::string &name : there) {
-        EXPECT_EQ(name.rfind("clip: ", 0), 0u) << name;
-        EXPECT_NE(clq_template_find_clip(info.tmpl, name.c_str() + 6), CLQ_NONE) << name;
+        const std::string list = name.substr(0, name.find(':')), item = name.substr(list.size() + 2);
+        if (name == "class: folk") continue;  // which was typed
+        if (list == "zone") EXPECT_NE(clq_template_find_zone(info.tmpl, item.c_str()), CLQ_NONE) << name;
+        else if (list == "textures")
+            EXPECT_NE(clq_template_find_texture_set(info.tmpl, item.c_str()), CLQ_NONE) << name;
+        else {
+            EXPECT_EQ(list, "clip") << name;
+            EXPECT_NE(clq_template_find_clip(info.tmpl, item.c_str()), CLQ_NONE) << name;
+        }
     }
 }
 

@@ -1,0 +1,24 @@
+// Colour maps as files of the designer.
+#pragma once
+
+#include <functional>
+
+#include "samples/view/designer/designer.h"
+
+namespace view
+{
+
+using SaveText = std::function<void(const std::string &path, const std::string &text)>;
+
+// A name with a slash is a path of its own, others are in the folder.
+std::string path_in(const std::string &folder, const std::string &name);
+
+// Replaces the design by a file's, which can be undone. Throws scenes::Failure; the design then stays.
+void load_design(Designer &designer, clq_context *context, const std::string &path);
+
+// Loads and saves as the designer wishes, and says in `message` what was done or why not. `save` writes all of a file
+// or nothing, or throws scenes::Failure.
+void keep_designs(Designer &designer, clq_context *context, const std::string &folder, const SaveText &save,
+                  std::string &message);
+
+}  // namespace view
