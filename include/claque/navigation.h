@@ -30,6 +30,16 @@ typedef struct clq_prism {
     double min_y, max_y;
 } clq_prism;
 
+/* A part of the ground beside the ways, such as the strip before a row of seats. Walkers enter it only where they have
+ * a goal in a byway of the same group; a walker that is in one may go out of it anywhere. So no crowd pushes people
+ * into rows that are not theirs. */
+typedef struct clq_byway {
+    clq_prism prism;
+    uint32_t group; /* [0, CLQ_BYWAY_GROUPS - 1] */
+} clq_byway;
+
+#define CLQ_BYWAY_GROUPS 13
+
 typedef struct clq_navigation_def {
     uint32_t struct_bytes; /* set by clq_navigation_def_init */
     uint32_t vertex_count, triangle_count;
@@ -41,6 +51,10 @@ typedef struct clq_navigation_def {
     /* [0, 62] parts of the ground that open and close, at first open. They overlap with no other. */
     uint32_t door_count;
     const clq_prism *doors;
+    /* With g the highest group of a byway, there are at most 61 - g doors. Byways overlap with no door and with no
+     * byway of another group. */
+    uint32_t byway_count;
+    const clq_byway *byways;
     float metres_per_unit; /* (> 0) as in clq_crowd_def. Default 1 */
     float radius_m; /* [0.05, 5] of the widest person: how far from walls the middle of a person stays. Default 0.2 */
     float height_m; /* [0.2, 10] of the tallest person. Default 1.9 */

@@ -20,6 +20,13 @@ struct Floor {
         double low_m, high_m;
     };
     std::vector<Obstacle> obstacles;
+    // Only those who have a goal there walk on them (clq_byway).
+    struct Byway {
+        scenes::Outline outline;
+        double low_m, high_m;
+        uint32_t group;
+    };
+    std::vector<Byway> byways;
 };
 
 class Setting

@@ -1,4 +1,6 @@
 // The stone of a theatre, without the people that [theatre] alone would seat in it.
+#include <claque/navigation.h>
+
 #include "samples/scenes/odeon/floor.h"
 #include "samples/scenes/odeon/theatre_building.h"
 #include "samples/stage/setting.h"
@@ -10,6 +12,9 @@ using namespace scenes;
 
 namespace
 {
+
+// Rows of one group are far from each other.
+uint32_t group_of(const scenes::Floor::Strip &strip) { return static_cast<uint32_t>(strip.row) % CLQ_BYWAY_GROUPS; }
 
 class TheatreSetting final : public Setting
 {
@@ -23,6 +28,8 @@ public:
         const auto first = static_cast<uint32_t>(out.vertices.size() / 3);
         out.vertices.insert(out.vertices.end(), floor.vertices.begin(), floor.vertices.end());
         for (const uint32_t index : floor.triangles) out.triangles.push_back(first + index);
+        for (const scenes::Floor::Strip &strip : floor.strips)
+            out.byways.push_back({strip.outline, strip.low_m, strip.high_m, group_of(strip)});
     }
 
     clq_camera camera(Shot shot, double aspect) const override

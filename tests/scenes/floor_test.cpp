@@ -30,6 +30,12 @@ Ground ground_of(const Floor &floor)
     def.vertex_count = static_cast<uint32_t>(floor.vertices.size() / 3);
     def.triangle_count = static_cast<uint32_t>(floor.triangles.size() / 3);
     def.vertices = floor.vertices.data(), def.triangles = floor.triangles.data();
+    std::vector<clq_byway> byways;
+    for (const Floor::Strip &strip : floor.strips)
+        byways.push_back(
+            {{static_cast<uint32_t>(strip.outline.size() / 2), strip.outline.data(), strip.low_m, strip.high_m},
+             static_cast<uint32_t>(strip.row) % CLQ_BYWAY_GROUPS});
+    def.byway_count = static_cast<uint32_t>(byways.size()), def.byways = byways.data();
     def.radius_m = 0.08f, def.cell_m = 0.04f, def.max_step_m = 0.3f, def.max_slope_deg = 45;
     clq_navigation *made = nullptr;
     EXPECT_EQ(clq_navigation_create(&def, &made), CLQ_OK) << clq_last_error();
@@ -114,9 +120,9 @@ TEST(FloorOfTheOdeon, LeadsFromEachEntranceToThePlaceBeforeEachSeat)
             const double *end = points + 3 * (way.point_count - 1);
             EXPECT_TRUE(way.complete) << "row " << bench.row + 1 << " at " << place().seats[seat].angle_deg;
             EXPECT_LT(level_m(end, sat.position), 0.35) << "row " << bench.row + 1;
-            // Beside the stairs the mesh slopes from them to the row.
+            // Beside the stairs the mesh slopes from them to the row, by half a step at most.
             const bool beside = seat == bench.seats.back();
-            EXPECT_NEAR(end[1], place().seats[seat].step_y, beside ? 0.16 : 0.05) << "row " << bench.row + 1;
+            EXPECT_NEAR(end[1], place().seats[seat].step_y, beside ? 0.22 : 0.05) << "row " << bench.row + 1;
             EXPECT_LT(way.length, 75);
             ++found;
         }

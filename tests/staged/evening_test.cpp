@@ -15,9 +15,11 @@ namespace
 using namespace scenes;
 using Point3 = std::array<double, 3>;
 
+Scenario evening() { return load_scenario(std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/odeon-evening.toml"); }
+
 Scenario evening(uint32_t of_each_class, double per_minute)
 {
-    Scenario scenario = load_scenario(std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/odeon-evening.toml");
+    Scenario scenario = evening();
     for (ScenarioAgents &agents : scenario.stage->agents) agents.count = of_each_class, agents.per_minute = per_minute;
     return scenario;
 }
@@ -29,8 +31,8 @@ double apart(const Point3 &a, const Point3 &b) { return std::hypot(a[0] - b[0], 
 class Evening : public testing::Test
 {
 protected:
-    static constexpr double step_s = 0.5, joke_s = 395, end_s = 600;
-    static constexpr uint32_t of_each_class = 20;
+    static constexpr double step_s = 0.5, seated_s = 240, joke_s = 395, end_s = 600;
+    static constexpr uint32_t of_each_class = 180;  // as the scenario has it
 
     struct Seen {
         std::string state;  // "": it is not here
@@ -58,7 +60,7 @@ protected:
 private:
     static std::vector<Moment> watch()
     {
-        World world(evening(of_each_class, 12), 1, false);
+        World world(evening(), 1, false);
         const auto people = static_cast<uint32_t>(world.run().people().all().size());
         std::vector<Moment> all;
         for (double time_s = 0; time_s <= end_s; time_s += step_s) {
@@ -97,7 +99,8 @@ const std::set<std::string> Evening::on_seats = {"rests",  "talks", "listens", "
 
 TEST_F(Evening, SeatsEachPersonInARowOfItsClassAndNoTwoOnOneSeat)
 {
-    const Moment &now = at(204);
+    const Moment &now = at(seated_s);
+    ASSERT_EQ(count(), 3 * of_each_class);
     // Patricians, decurions, plebeians; feet stand up to 0.3 m before the first row.
     const double least_m[] = {15.4, 6.6, 19.3}, most_m[] = {19.6, 14.0, 23.0};
     const auto class_of = [](size_t person) { return std::array<int, 3>{2, 0, 1}[person / of_each_class]; };
@@ -109,7 +112,7 @@ TEST_F(Evening, SeatsEachPersonInARowOfItsClassAndNoTwoOnOneSeat)
         for (size_t k = 0; k < i; ++k) EXPECT_GT(apart(now[i].at, now[k].at), 0.6) << i << " and " << k;
     }
     // All the time: seats do not change their owners.
-    for (double time_s = 204; time_s < 419; time_s += 5)
+    for (double time_s = seated_s; time_s < 419; time_s += 5)
         for (size_t i = 0; i < count(); ++i) EXPECT_EQ(apart(at(time_s)[i].at, now[i].at), 0) << i << " at " << time_s;
 }
 

@@ -128,7 +128,7 @@ clq_status clq_navigation_find_way(const clq_navigation *navigation, const doubl
         const dtPolyRef last = walk::nearest(mesh, b, walk::find_reach_m, mesh.open, end);
         clq_way found = clq_way_init();
         walk::Way way;
-        if (first && last) walk::find_way(mesh, first, begin, last, end, mesh.open, way);
+        if (first && last) walk::find_way(mesh, first, begin, last, end, walk::filter_of_way(mesh, first, last), way);
         if (!way.polygons.empty()) found.point_count = corners_of(mesh, begin, way, max_points, points, found.length);
         found.complete = way.complete;
         *out = found;

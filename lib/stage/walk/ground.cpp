@@ -13,7 +13,6 @@ namespace
 constexpr uint32_t max_triangles = 4000000;
 constexpr double max_extent_m = 50000;
 constexpr double max_height_cells = 8000;  // Recast keeps heights in 13 bits
-constexpr uint32_t max_doors = 62;         // Recast keeps areas in 6 bits
 
 void check_numbers(const clq_navigation_def &def)
 {
@@ -30,7 +29,17 @@ void check_numbers(const clq_navigation_def &def)
     if (def.triangle_count > max_triangles || def.vertex_count > 3 * max_triangles)
         fail(CLQ_LIMIT, "%u triangles with %u vertices to walk on: %u triangles are possible", def.triangle_count,
              def.vertex_count, max_triangles);
-    if (def.door_count > max_doors) fail(CLQ_ARGUMENT, "%u doors: %u are possible", def.door_count, max_doors);
+    require(def.byway_count == 0 || def.byways, "byways is NULL");
+    if (def.door_count > max_areas) fail(CLQ_ARGUMENT, "%u doors: %u are possible", def.door_count, max_areas);
+    if (def.byway_count > max_triangles) fail(CLQ_LIMIT, "%u byways: %u are possible", def.byway_count, max_triangles);
+    for (uint32_t i = 0; i < def.byway_count; ++i) {
+        const uint32_t group = def.byways[i].group;
+        if (group >= CLQ_BYWAY_GROUPS)
+            fail(CLQ_ARGUMENT, "byway %u has group %u: 0 to %d is wanted", i, group, CLQ_BYWAY_GROUPS - 1);
+        if (def.door_count + group >= max_areas)
+            fail(CLQ_ARGUMENT, "%u doors and byways of group %u: %u doors are possible with it", def.door_count, group,
+                 max_areas - 1 - group);
+    }
     if (def.hole_count > max_triangles) fail(CLQ_LIMIT, "%u holes: %u are possible", def.hole_count, max_triangles);
 }
 
@@ -118,6 +127,9 @@ Ground read_ground(const clq_navigation_def &def, Mesh &out)
     read_triangles(def, out, ground);
     for (uint32_t i = 0; i < def.hole_count; ++i) ground.holes.push_back(read_prism(out, def.holes[i], "hole", i));
     for (uint32_t i = 0; i < def.door_count; ++i) ground.doors.push_back(read_prism(out, def.doors[i], "door", i));
+    for (uint32_t i = 0; i < def.byway_count; ++i)
+        ground.byways.push_back({read_prism(out, def.byways[i].prism, "byway", i), def.byways[i].group});
+    out.has_byways = def.byway_count > 0;
     ground.radius = def.radius_m, ground.height = def.height_m;
     ground.slope_deg = def.max_slope_deg, ground.step = def.max_step_m;
     ground.cell = def.cell_m != 0 ? def.cell_m : def.radius_m / 2;
@@ -135,8 +147,9 @@ Ground read_ground(const clq_navigation_def &def, Mesh &out)
 void make_mesh(const clq_navigation_def &def, Mesh &out)
 {
     const Ground ground = read_ground(def, out);
-    out.open.setIncludeFlags(walk_flag), out.open.setExcludeFlags(closed_flag);
-    out.everything.setIncludeFlags(walk_flag), out.everything.setExcludeFlags(0);
+    constexpr unsigned short any_ground = walk_flag | byway_flags;
+    out.open.setIncludeFlags(any_ground), out.open.setExcludeFlags(closed_flag);
+    out.everything.setIncludeFlags(any_ground), out.everything.setExcludeFlags(0);
     build_tiles(ground, out);
 }
 

@@ -28,11 +28,21 @@ constexpr int max_query_nodes = 8192;
 constexpr int max_way_polys = 256;
 constexpr float find_reach_m = 2;
 // Flags of polygons.
-constexpr unsigned short walk_flag = 1, closed_flag = 2;
+constexpr unsigned short walk_flag = 1, closed_flag = 2, first_byway_flag = 4;
+constexpr unsigned short byway_flags = first_byway_flag * ((1u << CLQ_BYWAY_GROUPS) - 1);
+// Areas of polygons: 0, then doors, then groups of byways. Recast keeps areas in 6 bits, of which it takes two values.
+constexpr uint32_t max_areas = 62;
+
+inline unsigned short byway_flag(uint32_t group) { return static_cast<unsigned short>(first_byway_flag << group); }
 
 struct Prism {
     std::vector<float> points;  // xyz, as Recast takes them
     float min_y = 0, max_y = 0;
+};
+
+struct Byway {
+    Prism prism;
+    uint32_t group = 0;
 };
 
 struct Door {
@@ -52,6 +62,7 @@ struct Ground {
     std::vector<float> vertices;  // xyz
     std::vector<int> triangles;
     std::vector<Prism> holes, doors;
+    std::vector<Byway> byways;
     Float3 min{}, max{};
     float radius = 0, height = 0, slope_deg = 0, step = 0, cell = 0, cell_height = 0;
     uint64_t max_cells = 0;
@@ -64,8 +75,9 @@ struct Mesh {
     std::unique_ptr<dtNavMesh, FreeNavMesh> nav;
     std::unique_ptr<dtNavMeshQuery, FreeQuery> query;
     dtQueryFilter open;        // without closed doors
-    dtQueryFilter everything;  // of those that stand in one
+    dtQueryFilter everything;  // of walkers that stand in one
     std::vector<Door> doors;
+    bool has_byways = false;
     uint64_t version = 1;  // rises when a door moves
     uint32_t tiles = 0, polygons = 0;
     double area_m2 = 0;
@@ -83,6 +95,10 @@ void make_mesh(const clq_navigation_def &def, Mesh &out);
 Ground read_ground(const clq_navigation_def &def, Mesh &out);
 void build_tiles(const Ground &ground, Mesh &out);
 void find_doors(size_t count, Mesh &out);
+
+unsigned short flags_of(const Mesh &mesh, dtPolyRef polygon);
+// Ground for a way between two polygons: without closed doors, and without byways in which neither end lies.
+dtQueryFilter filter_of_way(const Mesh &mesh, dtPolyRef from_ref, dtPolyRef to_ref);
 
 void set_door(Mesh &mesh, uint32_t door, bool open);
 

@@ -9,11 +9,9 @@ namespace claque::walk
 namespace
 {
 
-bool is_closed(const Mesh &mesh, dtPolyRef polygon)
-{
-    unsigned short flags = 0;
-    return dtStatusSucceed(mesh.nav->getPolyFlags(polygon, &flags)) && (flags & closed_flag);
-}
+constexpr int checked_polygons = 10;  // of its way, which DetourCrowd wants to be open to the walker in every tick
+
+bool is_closed(const Mesh &mesh, dtPolyRef polygon) { return flags_of(mesh, polygon) & closed_flag; }
 
 }  // namespace
 
@@ -39,6 +37,26 @@ void Walkers::see_doors()
     }
 }
 
+// A walker is kept out of byways that are not its own, as by walls. In one, and where its way leads through others, all
+// are open to it.
+void Walkers::keep_to_byways(uint32_t i)
+{
+    dtCrowdAgent &a = agent(i);
+    if (a.params.queryFilterType == everything_filter) return;
+    unsigned on_way = flags_of(mesh_, a.corridor.getFirstPoly()), own = 0;
+    if (a.targetState == DT_CROWDAGENT_TARGET_VALID) {
+        own = flags_of(mesh_, a.targetRef) & byway_flags;
+        const dtPolyRef *path = a.corridor.getPath();
+        for (int k = 1; k < std::min(a.corridor.getPathCount(), checked_polygons); ++k)
+            on_way |= flags_of(mesh_, path[k]);
+    }
+    a.params.queryFilterType = open_filter;
+    if (on_way & byway_flags & ~own) a.params.queryFilterType = any_byway_filter;
+    else if (own != 0)
+        for (uint32_t group = 0; group < CLQ_BYWAY_GROUPS; ++group)
+            if (own & byway_flag(group)) a.params.queryFilterType = static_cast<unsigned char>(byway_filter + group);
+}
+
 void Walkers::plan_ways()
 {
     uint32_t found = 0;
@@ -56,9 +74,11 @@ void Walkers::plan(uint32_t i)
 {
     Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
-    const dtQueryFilter &filter = a.params.queryFilterType == open_filter ? mesh_.open : mesh_.everything;
+    const dtPolyRef here = a.corridor.getFirstPoly();
+    const bool out_of_door = a.params.queryFilterType == everything_filter;
+    const dtQueryFilter filter = out_of_door ? mesh_.everything : filter_of_way(mesh_, here, body.goal_ref);
     const Float3 from = {a.npos[0], a.npos[1], a.npos[2]};
-    find_way(mesh_, a.corridor.getFirstPoly(), from, body.goal_ref, body.goal, filter, way_);
+    find_way(mesh_, here, from, body.goal_ref, body.goal, filter, way_);
     body.complete = way_.complete;
     body.cut = !way_.complete && way_.polygons.size() == max_way_polys;
     body.end = way_.end;

@@ -94,6 +94,8 @@ struct Tile {
         demand(rcBuildCompactHeightfield(&context, config.walkableHeight, config.walkableClimb, *solid, *open));
         for (const Prism &hole : ground.holes) mark(hole, RC_NULL_AREA);
         demand(rcErodeWalkableArea(&context, config.walkableRadius, *open));
+        for (const Byway &byway : ground.byways)
+            mark(byway.prism, static_cast<unsigned char>(door_area + ground.doors.size() + byway.group));
         for (size_t i = 0; i < ground.doors.size(); ++i)
             mark(ground.doors[i], static_cast<unsigned char>(door_area + i));
     }
@@ -143,7 +145,9 @@ void add_tile(Tile &tile, int column, int row, Mesh &out)
     rcPolyMesh &mesh = *tile.mesh;
     for (int i = 0; i < mesh.npolys; ++i) {
         if (mesh.areas[i] == RC_WALKABLE_AREA) mesh.areas[i] = 0;
-        mesh.flags[i] = walk_flag;
+        const size_t first_byway = door_area + tile.ground.doors.size();
+        const bool is_byway = mesh.areas[i] >= first_byway;
+        mesh.flags[i] = is_byway ? byway_flag(static_cast<uint32_t>(mesh.areas[i] - first_byway)) : walk_flag;
     }
     dtNavMeshCreateParams params{};
     params.verts = mesh.verts, params.vertCount = mesh.nverts;

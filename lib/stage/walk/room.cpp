@@ -61,7 +61,7 @@ float Walkers::room_towards(uint32_t i, float x, float z, float reach) const
 {
     const dtCrowdAgent &a = agent(i);
     const Float3 end = {a.npos[0] + reach * x, a.npos[1], a.npos[2] + reach * z};
-    const dtQueryFilter &filter = a.params.queryFilterType == open_filter ? mesh_.open : mesh_.everything;
+    const dtQueryFilter &filter = *crowd_->getFilter(a.params.queryFilterType);
     float share = 0, normal[3];
     int count = 0;
     if (dtStatusFailed(mesh_.query->raycast(a.corridor.getFirstPoly(), a.npos, end.data(), &filter, &share, normal,

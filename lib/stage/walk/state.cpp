@@ -144,7 +144,7 @@ void Walkers::check_saved(uint32_t i) const
     const dtCrowdAgent &a = agent(i);
     bool good = a.params.radius >= 0.05f && a.params.radius <= def_.max_radius_m && body.speed > 0 && body.speed <= 8 &&
                 a.params.maxAcceleration > 0 && a.params.maxAcceleration <= 50 &&
-                a.params.queryFilterType <= everything_filter && body.near_m > 0 && body.scale > 0;
+                a.params.queryFilterType <= last_filter && body.near_m > 0 && body.scale > 0;
     const bool no_way = a.targetState == DT_CROWDAGENT_TARGET_NONE || a.targetState == DT_CROWDAGENT_TARGET_VELOCITY;
     good = good && (no_way || a.targetState == DT_CROWDAGENT_TARGET_VALID);
     good = good && (no_way || mesh_.nav->isValidPolyRef(a.targetRef));

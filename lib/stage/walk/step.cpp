@@ -26,6 +26,8 @@ void Walkers::step()
     else publish();
     see_doors();
     plan_ways();
+    for (uint32_t i = 0; mesh_.has_byways && i < bodies_.size(); ++i)
+        if (bodies_[i].used()) keep_to_byways(i);
     for (uint32_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].used()) keep_distance(i), make_room(i);
     hold_still();
@@ -70,9 +72,7 @@ void Walkers::look_round(uint32_t i)
     dtCrowdAgent &a = agent(i);
     a.boundary.reset();
     if (a.params.queryFilterType == everything_filter) {
-        unsigned short flags = 0;
-        mesh_.nav->getPolyFlags(a.corridor.getFirstPoly(), &flags);
-        if (!(flags & closed_flag)) {
+        if (!(flags_of(mesh_, a.corridor.getFirstPoly()) & closed_flag)) {
             a.params.queryFilterType = open_filter;
             if (body.state == CLQ_WALKER_WALKS)
                 body.state = CLQ_WALKER_WAITS, crowd_->resetMoveTarget(static_cast<int>(i));

@@ -36,6 +36,19 @@ void set_manners(dtCrowd &crowd)
     crowd.setObstacleAvoidanceParams(0, &manners);
 }
 
+void set_filters(dtCrowd &crowd, const Mesh &mesh)
+{
+    *crowd.getEditableFilter(open_filter) = mesh.open;
+    crowd.getEditableFilter(open_filter)->setIncludeFlags(walk_flag);
+    *crowd.getEditableFilter(everything_filter) = mesh.everything;
+    *crowd.getEditableFilter(any_byway_filter) = mesh.open;
+    for (uint32_t group = 0; group < CLQ_BYWAY_GROUPS; ++group) {
+        dtQueryFilter &filter = *crowd.getEditableFilter(static_cast<int>(byway_filter + group));
+        filter = mesh.open;
+        filter.setIncludeFlags(static_cast<unsigned short>(walk_flag | byway_flag(group)));
+    }
+}
+
 dtCrowdAgentParams agent_of(const clq_walker_def &def)
 {
     dtCrowdAgentParams params{};
@@ -71,8 +84,7 @@ Walkers::Walkers(clq_navigation &mesh, const clq_walkers_def &def)
     if (!crowd_ || !crowd_->init(static_cast<int>(def.max_count), def.max_radius_m, mesh.nav.get()))
         throw std::bad_alloc();
     set_manners(*crowd_);
-    *crowd_->getEditableFilter(open_filter) = mesh.open;
-    *crowd_->getEditableFilter(everything_filter) = mesh.everything;
+    set_filters(*crowd_, mesh);
     bodies_.resize(def.max_count);
     pieces_.reserve(def.max_count);
     way_.polygons.reserve(max_way_polys);

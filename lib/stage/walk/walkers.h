@@ -21,7 +21,9 @@ using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wants
 
 // Filters of the crowd's agents.
-constexpr unsigned char open_filter = 0, everything_filter = 1;
+constexpr unsigned char open_filter = 0, everything_filter = 1, any_byway_filter = 2, byway_filter = 3;
+constexpr unsigned char last_filter = byway_filter + CLQ_BYWAY_GROUPS - 1;
+static_assert(last_filter < DT_CROWD_MAX_QUERY_FILTER_TYPE, "DetourCrowd has so many filters");
 
 // One walker; its index is that of its agent in the crowd.
 struct Body {
@@ -100,6 +102,7 @@ private:
 
     // Before the crowd's update.
     void see_doors();
+    void keep_to_byways(uint32_t i);
     void plan_ways();
     void plan(uint32_t i);
     void keep_distance(uint32_t i);

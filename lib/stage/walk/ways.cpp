@@ -41,6 +41,21 @@ void find_doors(size_t count, Mesh &out)
         if (out.doors[i].polygons.empty()) fail(CLQ_ARGUMENT, "door %zu lies on no ground that people walk on", i);
 }
 
+unsigned short flags_of(const Mesh &mesh, dtPolyRef polygon)
+{
+    unsigned short flags = 0;
+    mesh.nav->getPolyFlags(polygon, &flags);
+    return flags;
+}
+
+dtQueryFilter filter_of_way(const Mesh &mesh, dtPolyRef from_ref, dtPolyRef to_ref)
+{
+    dtQueryFilter filter = mesh.open;
+    const unsigned ends = flags_of(mesh, from_ref) | flags_of(mesh, to_ref);
+    filter.setIncludeFlags(static_cast<unsigned short>(walk_flag | (ends & byway_flags)));
+    return filter;
+}
+
 void set_door(Mesh &mesh, uint32_t door, bool open)
 {
     if (door >= mesh.doors.size()) fail(CLQ_ARGUMENT, "door %u of %zu does not exist", door, mesh.doors.size());

@@ -13,6 +13,9 @@ namespace
 
 constexpr double each_deg = 1.0;                            // of an arc
 constexpr double strip_from_m = 0.32, strip_to_m = 0.04;    // before the seats of a row
+constexpr double half_rise_m = 0.19;                        // less than half of the least rise between rows
+constexpr int outline_sides = 20;                           // of the arc round a part of a strip
+constexpr double widest_deg = 40;                           // of such a part
 constexpr double gangway_half_m = 0.26 + floor_radius_m;    // of what the middle of a person may use
 constexpr double beside_stone_m = 0.35, outside_m = 15.2;   // outside: how far the ground behind the stage house goes
 constexpr double behind_house_m = 2.2, beside_house_m = 2;  // beyond the stage's depth and half width
@@ -103,7 +106,29 @@ private:
                 if (std::abs(gangway.at_deg - last) < wide) last = gangway.at_deg - half_deg;
             }
             arc(row.radius_m - strip_from_m, row.radius_m - strip_to_m, row.step_y_m, first, last);
+            // From the edge of what the middle of a person may use of the stairs: else the ends of rows would be bays
+            // in which people who go past are caught.
+            const double edge_deg = floor_radius_m / row.radius_m / radians;
+            first -= edge_deg, last += edge_deg;
+            const int parts = std::max(1, static_cast<int>(std::ceil((last - first) / widest_deg)));
+            const double part_deg = (last - first) / parts;
+            for (int i = 0; i < parts; ++i) enclose(number, first + i * part_deg, first + (i + 1) * part_deg);
         }
+    }
+
+    // The polygon round a strip has the chord between its inner ends, which lies above the rows before it.
+    void enclose(size_t number, double first_deg, double last_deg)
+    {
+        const SeatRow &row = theatre_.rows[number];
+        Floor::Strip strip{{}, row.step_y_m - half_rise_m, row.step_y_m + half_rise_m, number};
+        const auto corner = [&](double radius, double angle_deg) {
+            strip.outline.push_back(radius * std::sin(angle_deg * radians));
+            strip.outline.push_back(-radius * std::cos(angle_deg * radians));
+        };
+        for (int i = 0; i <= outline_sides; ++i)
+            corner(row.radius_m, first_deg + (last_deg - first_deg) * i / outline_sides);
+        corner(row.radius_m - strip_from_m, last_deg), corner(row.radius_m - strip_from_m, first_deg);
+        floor_.strips.push_back(std::move(strip));
     }
 
     void stairs(const Gangway &gangway)

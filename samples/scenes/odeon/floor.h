@@ -13,6 +13,13 @@ namespace scenes
 struct Floor {
     std::vector<double> vertices;     // xyz
     std::vector<uint32_t> triangles;  // counter-clockwise from above
+    // The strips before seats, in parts: only people of a row walk there.
+    struct Strip {
+        std::vector<double> outline;  // x and z of a convex polygon that has no other ground between its heights
+        double low_m, high_m;
+        size_t row;
+    };
+    std::vector<Strip> strips;
 };
 
 // The floor leaves room for bodies: the middle of a person may come so near to its edges. Cells have to be half of

@@ -21,6 +21,11 @@ clq_prism Floor::box(double x0, double z0, double x1, double z1)
 void Floor::wall(double x0, double z0, double x1, double z1) { holes.push_back(box(x0, z0, x1, z1)); }
 void Floor::door(double x0, double z0, double x1, double z1) { doors.push_back(box(x0, z0, x1, z1)); }
 
+void Floor::byway(double x0, double z0, double x1, double z1, uint32_t group)
+{
+    byways.push_back({box(x0, z0, x1, z1), group});
+}
+
 clq_navigation_def Floor::def() const
 {
     clq_navigation_def def = clq_navigation_def_init();
@@ -29,6 +34,7 @@ clq_navigation_def Floor::def() const
     def.radius_m = radius_m, def.cell_m = cell_m;
     def.holes = holes.data(), def.hole_count = static_cast<uint32_t>(holes.size());
     def.doors = doors.data(), def.door_count = static_cast<uint32_t>(doors.size());
+    def.byways = byways.data(), def.byway_count = static_cast<uint32_t>(byways.size());
     return def;
 }
 

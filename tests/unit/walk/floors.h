@@ -19,12 +19,14 @@ struct Floor {
     std::vector<uint32_t> triangles;
     std::vector<std::vector<double>> outlines;  // of holes and doors, which point here
     std::vector<clq_prism> holes, doors;
+    std::vector<clq_byway> byways;
     float radius_m = clq_navigation_def_init().radius_m, cell_m = 0;
 
     // A rectangle, seen from above; its heights at the two ends in x.
     void add(double x0, double z0, double x1, double z1, double y0 = 0, double y1 = 0);
     // An upright wall as a hole.
     void wall(double x0, double z0, double x1, double z1);
+    void byway(double x0, double z0, double x1, double z1, uint32_t group);
     void door(double x0, double z0, double x1, double z1);
     clq_navigation_def def() const;
     clq_navigation *make() const;
