@@ -9,6 +9,9 @@
 #include "samples/cli/render_work.h"
 #include "samples/cli/track_arguments.h"
 #include "samples/scenes/walkers/replay.h"
+#ifdef CLAQUE_STAGED
+#include "samples/stage/replayed_scene.h"
+#endif
 
 namespace cli
 {
@@ -90,15 +93,39 @@ void expect_trajectories(const CLI::App &command)
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
 }
 
+std::unique_ptr<scenes::Scene> make_replay(scenes::Library &library, const scenes::CrowdOptions &crowd_options,
+                                           const scenes::walkers::ReplayOptions &replay,
+                                           [[maybe_unused]] const scenes::Scenario *scenario)
+{
+#ifdef CLAQUE_STAGED
+    if (scenario) return staged::make_replayed(library, crowd_options, *scenario, replay);
+#endif
+    return scenes::walkers::make_replay(library, crowd_options, replay);
+}
+
+// Reads the scenario of which the record is.
+void take_scenario(SceneArguments &setup, bool is_record)
+{
+    if (setup.scenario.empty()) return;
+    if (!is_record) throw CLI::ValidationError("--scenario", "is for records of its runs; FILE is no record");
+    read_scenario(setup);
+    if (!setup.described->stage)
+        throw CLI::ValidationError("--scenario", setup.scenario + " has no [stage]: it has no runs");
+    if (setup.camera.empty() && has_path(setup)) setup.camera = "path";  // as in the run
+#ifndef CLAQUE_STAGED
+    throw CLI::ValidationError("--scenario", "needs Recast, which this build has not");
+#endif
+}
+
 // Of the scene that the options name, with its record.
-auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<std::unique_ptr<RecordOut>> &record)
+auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<const scenes::Scenario> &scenario,
+                 const std::shared_ptr<std::unique_ptr<RecordOut>> &record)
 {
     const scenes::walkers::Options options = walkers_of(tracks);
     const scenes::walkers::ReplayOptions replay = {tracks.file, names_in(tracks.characters), options.follow};
-    return [options, replay, record, path = tracks.record](scenes::Library &library,
-                                                           const scenes::CrowdOptions &crowd_options) {
-        if (scenes::walkers::is_record(replay.file))
-            return scenes::walkers::make_replay(library, crowd_options, replay);
+    return [options, replay, record, path = tracks.record, scenario](scenes::Library &library,
+                                                                     const scenes::CrowdOptions &crowd_options) {
+        if (scenes::walkers::is_record(replay.file)) return make_replay(library, crowd_options, replay, scenario.get());
         Progress progress("claque");
         scenes::walkers::Options with_progress = options;
         with_progress.progress = [&](size_t done, size_t of) { progress.step(done, of); };
@@ -139,17 +166,21 @@ void add_play(CLI::App &app, Work &chosen)
     c->add_option("--record", tracks->record,
                   "Record what is drawn to this file, which `claque play` plays; draws finished frames again")
         ->type_name("FILE.clt");
+    c->add_option("--scenario", a->setup.scenario,
+                  "The scenario of which FILE records a run: draws its stone, doors, light and cameras")
+        ->type_name("SCENARIO.toml");
     c->callback([a, tracks, c, &chosen] {
         take_camera(*a, *tracks);
         const bool whole = a->frames == "all" || (a->frames.empty() && c->count("--time") == 0);
         if (whole) a->frames = "0:1";  // the file says how many
         const bool played = scenes::walkers::is_record(tracks->file);
         if (played) expect_trajectories(*c);
+        take_scenario(a->setup, played);
         // A scene of people that it does not know has no shadows to paint.
-        if (played && a->setup.shadows == "painted") a->setup.shadows = "blob";
+        if (played && !is_theatre(a->setup) && a->setup.shadows == "painted") a->setup.shadows = "blob";
         if (!tracks->record.empty()) a->again = true;
         const auto record = std::make_shared<std::unique_ptr<RecordOut>>();
-        a->setup.make = scene_maker(*tracks, record);
+        a->setup.make = scene_maker(*tracks, a->setup.described, record);
         a->drawn = [record] {
             if (*record) (*record)->end();
         };

@@ -147,7 +147,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     scenes::SceneOptions options;
     options.scene = scene_of(a);
     options.make = a.make;
-    if (a.described) options.make = maker_of(a);
+    if (a.described && !a.make) options.make = maker_of(a);
     options.character = loaded.tmpl ? loaded.character() : scenes::Character();
     options.crowd_options.count = a.count;
     // A scenario has its own number of people.

@@ -13,6 +13,8 @@ namespace
 constexpr Rgb wood = {0.42f, 0.29f, 0.18f};
 constexpr double tall_m = 2.1;
 
+clq_group group_of(size_t door) { return {static_cast<uint32_t>(door) + 1, 1}; }
+
 Vec3 corner(const Outline &outline, size_t i, double y)
 {
     const size_t k = 2 * (i % (outline.size() / 2));
@@ -38,6 +40,26 @@ Outline turned_round(Outline outline)
 }
 
 }  // namespace
+
+void add_doors(clq_crowd *crowd, const std::vector<ScenarioDoor> &doors)
+{
+    for (size_t i = 0; i < doors.size(); ++i) {
+        clq_group made{};
+        check(clq_group_create(crowd, nullptr, &made));
+        if (made.index1 != group_of(i).index1 || made.generation != group_of(i).generation)
+            throw Failure(doors[i].at + ": the crowd has groups before its doors");
+        if (!doors[i].open) set_open(crowd, i, false);
+    }
+}
+
+void set_open(clq_crowd *crowd, size_t door, bool open) { check(clq_group_set_enabled(crowd, group_of(door), open)); }
+
+std::optional<bool> is_open(const clq_crowd *crowd, size_t door)
+{
+    clq_group_info info = clq_group_info_init();
+    if (clq_group_get_info(crowd, group_of(door), &info) != CLQ_OK) return std::nullopt;
+    return info.enabled;
+}
 
 DoorLeaves::DoorLeaves(const std::vector<ScenarioDoor> &doors)
 {

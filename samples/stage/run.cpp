@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "samples/scenes/angles.h"
+#include "samples/stage/door_leaves.h"
 
 namespace staged
 {
@@ -52,7 +53,7 @@ Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &sc
       arrivals_(arrivals_of(described_, seed_)),
       agents_(people_.all().size())
 {
-    for (const ScenarioDoor &door : described_.doors) shown_doors_.push_back(door.open);
+    add_doors(people_.crowd(), described_.doors);
     make_stage(library, options);
     add_actions();
     machines_ = add_machines(stage_.get(), described_, people_);

@@ -45,7 +45,6 @@ public:
 
     // The flow that draws: gives the crowd what is due. clq_crowd_update with the same time follows.
     void show(double time_s);
-    bool is_door_open(size_t door) const { return shown_doors_[door]; }
 
     // The state of the run, its stage and its crowd; no flow may be at work meanwhile. A run of the same scenario, seed
     // and characters that takes it goes on as this one does. restore() throws Failure on anything else; the run is then
@@ -130,7 +129,6 @@ private:
     mutable std::mutex mutex_;
     std::deque<Deed> deeds_;  // by time
     RunCounts counts_;
-    std::vector<bool> shown_doors_;
 };
 
 }  // namespace staged

@@ -11,7 +11,7 @@ using namespace scenes;
 namespace
 {
 
-constexpr uint64_t run_magic = 0x011a4e5255515143u;  // the version is its first byte
+constexpr uint64_t run_magic = 0x021a4e5255515143u;  // the version is its first byte
 
 int append_bytes(void *user, const void *bytes, size_t size)
 {
@@ -34,7 +34,6 @@ void Run::put_state(BytesOut &out) const
     for (const uint32_t person : person_of_) out.put(person);
     for (const uint64_t count : {counts_.came, counts_.left, counts_.commands, counts_.refused, counts_.late})
         out.put(count);
-    for (const bool open : shown_doors_) out.put<uint8_t>(open);
     out.put<uint64_t>(deeds_.size());
     for (const Deed &one : deeds_) {
         out.put(static_cast<uint8_t>(one.kind)), out.put(one.at_s), out.put(one.what);
@@ -65,13 +64,12 @@ void Run::take_state(BytesIn &in)
     for (const clq_agent &agent : agents_) known(agent.index1, person_of_.size() + 1);
     for (uint64_t *count : {&counts_.came, &counts_.left, &counts_.commands, &counts_.refused, &counts_.late})
         *count = in.take<uint64_t>();
-    for (size_t i = 0; i < shown_doors_.size(); ++i) shown_doors_[i] = in.take<uint8_t>() != 0;
-    deeds_.resize(in.count(4 * (people + shown_doors_.size()) + 1000));
+    deeds_.resize(in.count(4 * (people + described_.doors.size()) + 1000));
     for (Deed &one : deeds_) {
         one.kind = static_cast<Deed::Kind>(known(in.take<uint8_t>(), 4));
         one.at_s = in.take<double>();
         const bool is_door = one.kind == Deed::Kind::open || one.kind == Deed::Kind::close;
-        one.what = known(in.take<uint32_t>(), is_door ? shown_doors_.size() : people);
+        one.what = known(in.take<uint32_t>(), is_door ? described_.doors.size() : people);
         for (double &x : one.spot.position) x = in.take<double>();
         one.spot.heading_rad = in.take<double>();
     }

@@ -1,6 +1,7 @@
 // The flow of a run that draws.
 #include <cmath>
 
+#include "samples/stage/door_leaves.h"
 #include "samples/stage/run.h"
 
 namespace staged
@@ -39,7 +40,7 @@ void Run::show(double time_s)
     for (const Deed &one : due) {
         if (one.kind == Deed::Kind::vanish) people_.send_away(one.what);
         if (one.kind == Deed::Kind::open || one.kind == Deed::Kind::close)
-            shown_doors_[one.what] = one.kind == Deed::Kind::open;
+            set_open(crowd(), one.what, one.kind == Deed::Kind::open);
     }
     const std::lock_guard<std::mutex> lock(mutex_);
     counts_.commands += applied.commands, counts_.refused += applied.refused, counts_.late += applied.late;

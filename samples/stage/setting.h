@@ -48,6 +48,9 @@ public:
     virtual void draw(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
 };
 
+// As Scene::take_shadows.
+bool take_shadows_of(const Setting &setting, clq_shadow_def &def);
+
 // The setting that a scenario has. Throws Failure.
 std::unique_ptr<Setting> make_setting(scenes::Library &library, const scenes::Scenario &scenario, uint64_t seed);
 

@@ -1,6 +1,5 @@
 #include "samples/stage/staged_scene.h"
 
-#include "samples/scenes/shadows.h"
 #include "samples/stage/door_leaves.h"
 
 namespace staged
@@ -50,22 +49,14 @@ public:
         run_.show(time_s);
     }
 
-    bool take_shadows(clq_shadow_def &def) override
-    {
-        const std::optional<double> height_m = setting_->shadows_at_m();
-        if (!height_m) return false;
-        def = shadows_in(setting_->light());
-        def.plane_height = *height_m;
-        setting_->lay_shadows(def);
-        return true;
-    }
+    bool take_shadows(clq_shadow_def &def) override { return take_shadows_of(*setting_, def); }
 
     void prepare(const Gl &gl) override { setting_->prepare(gl); }
 
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         setting_->draw(gl, eye);
-        leaves_.draw(gl, [this](size_t door) { return run_.is_door_open(door); });
+        leaves_.draw(gl, [this](size_t door) { return is_open(crowd(), door).value_or(true); });
     }
 
 private:

@@ -72,6 +72,30 @@ TEST_F(StageCommand, DrawsWhatPlayThenShows)
     EXPECT_GT(Json::parse(played.out)["frames"][0]["drawn"]["individuals"], 10);
 }
 
+// With the west door, which closes at 24 s.
+TEST_F(StageCommand, IsPlayedInItsScenarioAsItWasDrawn)
+{
+    const std::vector<std::string> frames = {"--frames", "0:150", "--stride", "75", "--size", "480x320"};
+    std::vector<std::string> drawing = {"--seconds", "31", "--record", path("run.clt"), "--out", path("run-%03d.png")};
+    drawing.insert(drawing.end(), frames.begin(), frames.end());
+    run(drawing);
+    std::vector<std::string> playing = {"play", path("run.clt"), "--scenario",         path("hall.toml"), "--fps",
+                                        "5",    "--out",         path("play-%03d.png")};
+    playing.insert(playing.end(), frames.begin(), frames.end());
+    const Outcome played = claque(playing);
+    ASSERT_EQ(played.code, 0) << played.err;
+    const auto picture = [&](const char *of, const char *frame) {
+        return picture_of(path(of + std::string(frame) + ".png"));
+    };
+    for (const char *frame : {"000", "075", "150"})
+        EXPECT_EQ(picture("run-", frame).rgb, picture("play-", frame).rgb) << frame;
+    EXPECT_NE(picture("run-", "075").rgb, picture("run-", "150").rgb) << "a door closes, and people go";
+    const Outcome not_its = claque(
+        {"play", path("run.clt"), "--scenario", scenarios + "corner.toml", "--time", "1", "--out", path("x.png")});
+    EXPECT_EQ(not_its.code, 2);
+    EXPECT_NE(not_its.err.find("has no [stage]"), std::string::npos) << not_its.err;
+}
+
 TEST_F(StageCommand, GoesOnFromAStateAsItWouldHaveGoneOn)
 {
     const Json whole = run({"--save", path("state"), "--at", "20"});
