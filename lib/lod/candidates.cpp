@@ -59,7 +59,7 @@ bool replace_by_proxy(std::vector<Candidate> &made, std::vector<size_t> &proxy_t
     size_t stay = 1;
     while (stay < made.size() && !made[stay].is_proxy && made[stay].level.error_m < least) ++stay;
     std::vector<size_t> more;
-    for (size_t k = stay; k < made.size() && !made[k].is_proxy; ++k) more.push_back(made[k].level.triangles);
+    for (size_t k = stay; k < made.size() && !made[k].is_proxy; ++k) more.push_back(made[k].target);
     if (more.empty()) return false;
     made.resize(stay);
     proxy_targets.insert(proxy_targets.begin(), more.begin(), more.end());

@@ -15,6 +15,7 @@ struct Candidate {
     LevelReport level;
     bool is_proxy = false;  // one part replaces all parts
     bool is_measured = false;
+    size_t target = 0;  // the number of triangles that was asked for
     std::vector<model::Part> parts;
 };
 

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "lib/base/error.h"
 #include "lib/lod/area_fractions.h"
 #include "lib/lod/candidates.h"
-#include "lib/lod/proxy.h"
+#include "lib/lod/proxy_image.h"
+#include "lib/lod/proxy_mesh.h"
 #include "lib/lod/quadric_only.h"
 #include "lib/lod/surface_samples.h"
 #include "lib/lod/visibility.h"
@@ -21,8 +23,6 @@ namespace
 
 // The size of a pixel at one metre, with 768 lines over 60 degrees: the reference view for distances of levels (S0 5).
 const double pixel_at_a_metre = 2 * std::sqrt(1.0 / 3.0) / 768;
-
-constexpr int max_tries = 3;  // attempts to stay within max_zone_area_error
 
 bool takes_part(const model::Part &part)
 {
@@ -86,81 +86,43 @@ Candidate finest_of(const Source &source)
     return made;
 }
 
-// Decimated levels as coarse as seams allow, and their zone area errors.
-struct NearLevels {
-    std::vector<Decimated> levels;
-    std::vector<double> zone_area_errors;
-    size_t valid_count = 0;           // levels from this index on miss the target or the zone area limit
-    bool exceeds_zone_error = false;  // whether the first invalid level is invalid because of its zones
-};
-
-NearLevels make_near(const model::Model &model, const std::vector<SourcePart> &pieces,
-                     const std::vector<double> &area_fractions, const DecimationOptions &decimation,
-                     const ChainOptions &options)
+// Decimated levels as coarse as seams allow.
+std::vector<Decimated> decimated(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
+                                 const ChainOptions &options)
 {
-    NearLevels near;
-    near.levels = options.quadric_only ? decimate_quadric_only(pieces, decimation.targets)
-                                       : decimate(pieces, decimation, options.jobs);
-    near.zone_area_errors.resize(near.levels.size());
-    options.jobs.try_each(static_cast<uint32_t>(near.levels.size()), [&](uint32_t k) {
-        near.zone_area_errors[k] =
-            zone_area_error(area_fractions, zone_area_fractions(model, pointers(near.levels[k].parts)));
-    });
-    while (near.valid_count < near.levels.size() && near.zone_area_errors[near.valid_count] <= max_zone_area_error &&
-           near.levels[near.valid_count].triangles * 20 <= decimation.targets[near.valid_count] * 21)
-        ++near.valid_count;
-    near.exceeds_zone_error =
-        near.valid_count < near.levels.size() && near.zone_area_errors[near.valid_count] > max_zone_area_error;
-    return near;
-}
-
-// Builds decimated levels. Returns the targets, from the first failing one on, for proxies to take over; with no
-// proxies it returns none. A target fails if seams and borders keep decimation from reaching it or if the zone area
-// error is too large.
-std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
-                                    const ChainOptions &options, bool has_proxies, std::vector<Candidate> &made)
-{
+    if (targets.empty()) return {};
     DecimationOptions decimation = options.decimation;
     decimation.targets = targets, decimation.model = &model;
     const std::vector<std::vector<glm::vec3>> rest = rest_positions(model.rig, source.parts);
     std::vector<SourcePart> pieces;
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
-    NearLevels near = make_near(model, pieces, source.area_fractions, decimation, options);
-    // A level slightly over the zone area limit often meets it with a higher zone weight.
-    for (int i = 0; i < max_tries && has_proxies && near.exceeds_zone_error &&
-                    near.zone_area_errors[near.valid_count] < 1.25 * max_zone_area_error &&
-                    targets[near.valid_count] > options.proxy_max_triangles;
-         ++i) {
-        decimation.zone_area *= 1.4;
-        if (NearLevels again = make_near(model, pieces, source.area_fractions, decimation, options);
-            again.valid_count > near.valid_count)
-            near = std::move(again);
-    }
-    for (size_t k = 0; k < near.levels.size(); ++k) {
-        if (has_proxies && k == near.valid_count) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
-        if (near.levels[k].triangles >= triangle_count_of(made.back())) continue;
+    return options.quadric_only ? decimate_quadric_only(pieces, targets) : decimate(pieces, decimation);
+}
+
+// Adds decimated levels to `made`. Returns the targets, from the first failing one on, for proxies to take over; with
+// no proxies it returns none. A target fails if seams and borders keep decimation from reaching it or if the zone area
+// error is too large.
+std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
+                                    std::vector<Decimated> levels, const base::Jobs &jobs, bool has_proxies,
+                                    std::vector<Candidate> &made)
+{
+    std::vector<double> zone_area_errors(levels.size());
+    jobs.try_each(static_cast<uint32_t>(levels.size()), [&](uint32_t k) {
+        zone_area_errors[k] =
+            zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(levels[k].parts)));
+    });
+    for (size_t k = 0; k < levels.size(); ++k) {
+        const bool fails = zone_area_errors[k] > max_zone_area_error || levels[k].triangles * 20 > targets[k] * 21;
+        if (has_proxies && fails) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
+        if (levels[k].triangles >= triangle_count_of(made.back())) continue;
         Candidate next;
-        next.level.flipped = near.levels[k].flipped;
-        next.level.zone_area_error = near.zone_area_errors[k];
-        next.parts = std::move(near.levels[k].parts);
+        next.target = targets[k], next.level.flipped = levels[k].flipped;
+        next.level.zone_area_error = zone_area_errors[k];
+        next.parts = std::move(levels[k].parts);
         made.push_back(std::move(next));
     }
     if (!has_proxies) return {};
-    return {targets.begin() + static_cast<ptrdiff_t>(near.levels.size()), targets.end()};
-}
-
-// Adds proxy levels to `made`. `model` gets their materials and images, and zone keys that are all different.
-void add_proxies(model::Model &model, const std::vector<const model::Part *> &source, const ProxyOptions &options,
-                 const base::Jobs &jobs, std::vector<Candidate> &made)
-{
-    ProxyLevels proxies = make_proxies(model, source, options, jobs);
-    add_to_model(proxies, model);
-    for (model::Part &part : proxies.parts) {
-        Candidate next;
-        next.is_proxy = true;
-        next.parts.push_back(std::move(part));
-        made.push_back(std::move(next));
-    }
+    return {targets.begin() + static_cast<ptrdiff_t>(levels.size()), targets.end()};
 }
 
 void measure(const model::Model &model, const Source &source, const ChainOptions &options, std::vector<Candidate> &made)
@@ -184,10 +146,48 @@ void measure(const model::Model &model, const Source &source, const ChainOptions
         // larger error.
         if (options.quadric_only)
             level.distance_m = std::max(level.distance_m, made[k - 1].level.distance_m * 1.001 + 0.001);
-        if (made[k].is_proxy)
-            level.zone_area_error =
-                zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(made[k].parts)));
     }
+}
+
+// Measures decimated levels and proxies, and leaves in `made` those that form the chain. `proxies`: one for each
+// target, without images.
+void choose(const model::Model &model, const Source &source, const ChainOptions &options,
+            std::vector<size_t> proxy_targets, std::map<size_t, Candidate> &proxies, std::vector<Candidate> &made)
+{
+    // If decimation reached `proxy_max_triangles`, measure only the overlapping proxies first and compare errors.
+    bool compares = !proxies.empty() && triangle_count_of(made.back()) <= options.proxy_max_triangles;
+    for (bool again = true; again;) {
+        std::vector<size_t> targets = proxy_targets;
+        while (compares && !targets.empty() && targets.back() <= max_clean_triangles) targets.pop_back();
+        for (const size_t target : targets) made.push_back(proxies.at(target));
+        measure(model, source, options, made);
+        for (const Candidate &one : made)
+            if (one.is_proxy) proxies.at(one.target) = one;
+        again = compares || (!proxies.empty() && replace_by_proxy(made, proxy_targets));
+        if (compares) prefer_near(made, proxy_targets);
+        compares = false;
+    }
+}
+
+// Gives the proxies of `made` their images. `model` gets these, and zone keys that are all different.
+void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std::vector<Candidate> &made)
+{
+    std::vector<Candidate *> proxies;
+    std::vector<model::Part> meshes;
+    for (Candidate &one : made)
+        if (one.is_proxy) proxies.push_back(&one), meshes.push_back(std::move(one.parts[0]));
+    if (proxies.empty()) return;
+    const ProxySource from(model, posed_at_rest(model.rig, source.parts), source.visibility, jobs);
+    ProxyLevels baked = bake_proxies(from, std::move(meshes), jobs);
+    for (size_t i = 0; i < proxies.size(); ++i) proxies[i]->parts[0] = std::move(baked.parts[i]);
+    add_to_model(baked, model);
+    jobs.try_each(static_cast<uint32_t>(proxies.size()), [&](uint32_t i) {
+        LevelReport &level = proxies[i]->level;
+        level.vertices = proxies[i]->parts[0].positions.size();
+        level.deviation.wrong_zone = wrong_zone(model, from.fine, source.visibility, proxies[i]->parts);
+        level.zone_area_error =
+            zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(proxies[i]->parts)));
+    });
 }
 
 std::vector<size_t> checked(std::vector<size_t> targets)
@@ -218,9 +218,10 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
     if (!(options.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels: it must be above 0", options.tolerance_px);
     const bool has_proxies = source.articulated && options.proxy_max_triangles > 0 && !options.quadric_only;
-    std::vector<size_t> near_targets, proxy_targets;
+    std::vector<size_t> targets, near_targets, proxy_targets;
     for (const size_t n : checked(options.targets.empty() ? default_targets(source.triangles) : options.targets)) {
         if (n >= source.triangles) continue;
+        targets.push_back(n);
         if (!has_proxies || n > std::min<size_t>(options.proxy_max_triangles, max_clean_triangles))
             near_targets.push_back(n);
         if (has_proxies && n <= options.proxy_max_triangles) proxy_targets.push_back(n);
@@ -231,26 +232,26 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
     next.zones = model.zones, next.images = model.images, next.materials = model.materials;
     next.texture_sets = model.texture_sets, next.source_bytes = model::source_bytes(model);
 
+    // The two kinds of level do not depend on each other, and making either is a chain of steps.
+    std::vector<Decimated> near;
+    std::vector<model::Part> meshes;
+    options.jobs.try_each(has_proxies ? 2 : 1, [&](uint32_t i) {
+        if (i == 0) near = decimated(next, source, near_targets, options);
+        else meshes = proxy_meshes(next, source.parts, {targets, options.decimation.influence});
+    });
+    std::map<size_t, Candidate> proxies;
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        Candidate &proxy = proxies[targets[i]];
+        proxy.is_proxy = true, proxy.target = targets[i];
+        proxy.parts.push_back(std::move(meshes[i]));
+    }
     std::vector<Candidate> made = {finest_of(source)};
-    if (!near_targets.empty()) {
-        std::vector<size_t> missed = add_near_levels(next, source, near_targets, options, has_proxies, made);
-        while (!missed.empty() && missed.back() <= options.proxy_max_triangles) missed.pop_back();
-        proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
-    }
-    const size_t materials = next.materials.size(), images = next.images.size();
-    // If decimation reached `proxy_max_triangles`, build only the overlapping proxies first and compare errors.
-    bool compares = has_proxies && triangle_count_of(made.back()) <= options.proxy_max_triangles;
-    for (bool again = true; again;) {
-        next.materials.resize(materials), next.images.resize(images);
-        std::vector<size_t> targets = proxy_targets;
-        while (compares && !targets.empty() && targets.back() <= max_clean_triangles) targets.pop_back();
-        if (!targets.empty())
-            add_proxies(next, source.parts, {targets, options.decimation.influence}, options.jobs, made);
-        measure(next, source, options, made);
-        again = compares || (has_proxies && replace_by_proxy(made, proxy_targets));
-        if (compares) prefer_near(made, proxy_targets);
-        compares = false;
-    }
+    std::vector<size_t> missed =
+        add_near_levels(next, source, near_targets, std::move(near), options.jobs, has_proxies, made);
+    while (!missed.empty() && missed.back() <= options.proxy_max_triangles) missed.pop_back();
+    proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
+    choose(next, source, options, proxy_targets, proxies, made);
+    bake(next, source, options.jobs, made);
     if (!options.quadric_only) made = prune(std::move(made));
     std::vector<LevelReport> report;
     for (const Candidate &one : made) report.push_back(one.level);

@@ -22,6 +22,7 @@ class Coarsening
 {
 public:
     Coarsening(const ClosedMesh &surface, const std::vector<Attributes> &features);
+    // What it reaches does not depend on the targets before.
     void run(size_t target);
     size_t triangles() const { return faces_; }
     CoarseMesh result() const { return result(nullptr); }
@@ -54,6 +55,8 @@ private:
     std::vector<Features> features_;
     std::vector<uint32_t> ages_;
     std::priority_queue<Collapse> queue_;
+    std::vector<Collapse> refused_;  // illegal when they were tried; they may become legal after others round them
+    bool collapsed_ = true;          // since the refused ones were tried last
 };
 
 Coarsening::Coarsening(const ClosedMesh &surface, const std::vector<Attributes> &features)
@@ -138,8 +141,13 @@ void Coarsening::collapse(Mesh::HalfedgeHandle h, glm::dvec3 at)
 
 void Coarsening::run(size_t target)
 {
-    std::vector<Collapse> refused;  // a collapse that is illegal now may become legal after others round it
-    while (faces_ > target && !queue_.empty()) {
+    while (faces_ > target) {
+        // Illegal collapses are tried again in bulk: after every step would cost too much.
+        if (queue_.empty() || (collapsed_ && refused_.size() > 32 + faces_ / 16)) {
+            if (!collapsed_) return;
+            for (const Collapse &again : refused_) queue_.push(again);
+            refused_.clear(), collapsed_ = false;
+        }
         const Collapse next = queue_.top();
         queue_.pop();
         const Mesh::VertexHandle from(next.from), to(next.to);
@@ -149,17 +157,12 @@ void Coarsening::run(size_t target)
         if (!h.is_valid()) continue;
         const glm::dvec3 at = collapse_position(next.from, next.to);
         if (!mesh_.is_collapse_ok(h) || flips(from, to, at) || flips(to, from, at)) {
-            refused.push_back(next);
+            refused_.push_back(next);
             continue;
         }
         collapse(h, at);
-        // Retry illegal collapses in bulk; retrying them after every step would cost too much.
-        if (queue_.empty() || refused.size() > 256 + faces_) {
-            for (const Collapse &again : refused) queue_.push(again);
-            refused.clear();
-        }
+        collapsed_ = true;
     }
-    for (const Collapse &again : refused) queue_.push(again);
 }
 
 CoarseMesh Coarsening::result(std::vector<PlaneQuadric> *planes) const

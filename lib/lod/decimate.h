@@ -37,7 +37,7 @@ struct DecimationOptions {
     // all lie on the outside, and skin loses area to clothes.
     double area = 10;
     // Weight of half the square of the change of each zone's visible area.
-    double zone_area = 30;
+    double zone_area = 45;
     const model::Model *model = nullptr;  // provides zones and clips; null: none
     double joint_displacement = 1;        // weight of the influence cost that comes from clips
 };

@@ -82,13 +82,11 @@ Links links_of(const PosedParts &from, const PosedParts &to, const std::vector<P
 {
     Links out;
     std::vector<uint32_t> of_vertex(from.positions().size(), model::none);
-    for (size_t i = 0; i < pairs.size(); ++i) {
-        const PointPair &pair = pairs[i];
-        const double stands_for = area(pair);
+    for (const PointPair &pair : pairs) {
+        const double stands_for = pair.weight * area(pair);
         if (!(stands_for > 0)) continue;
-        const size_t corner = i % samples_per_triangle;
         const std::array<uint32_t, 3> here = from.vertices_of(pair.here.triangle);
-        uint32_t *known = corner < area_samples ? nullptr : &of_vertex[here[corner - area_samples]];
+        uint32_t *known = pair.corner == PointPair::inside ? nullptr : &of_vertex[here[pair.corner]];
         const uint32_t link = known && *known != model::none ? *known : static_cast<uint32_t>(out.links.size());
         if (link == out.links.size())
             out.links.push_back({here, to.vertices_of(pair.there.triangle), as_floats(pair.here.weights),
@@ -103,11 +101,11 @@ double wrong_zones(const model::Model &model, const PosedParts &source, const Po
                    const std::vector<PointPair> &pairs, const std::vector<double> &areas)
 {
     double wrong = 0, all = 0;
-    for (size_t i = 0; i < pairs.size(); ++i) {
-        if (i % samples_per_triangle >= area_samples) continue;
-        const double area = areas[pairs[i].here.triangle];
+    for (const PointPair &pair : pairs) {
+        if (pair.corner != PointPair::inside) continue;
+        const double area = areas[pair.here.triangle];
         all += area;
-        if (zone_at(model, source, pairs[i].here) != zone_at(model, level, pairs[i].there)) wrong += area;
+        if (zone_at(model, source, pair.here) != zone_at(model, level, pair.there)) wrong += area;
     }
     return all > 0 ? wrong / all : 0;
 }
@@ -253,13 +251,13 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
 {
     // All levels together, where their pairs take a quarter of what levels may take at most (docs/levels.md); else as
     // many as do, at least one.
-    constexpr uint64_t bytes_of_triangle = 100ull * samples_per_triangle;
+    constexpr uint64_t bytes_of_pair = 100;
     const uint64_t most = (64 * model::source_bytes(model) + (16ull << 20)) / 4;
-    const uint64_t fine = bytes_of_triangle * triangles_of(source);
+    const uint64_t fine = bytes_of_pair * max_pairs(triangles_of(source));
     std::vector<Deviation> found;
     for (size_t first = 0, last = 0; first < levels.size(); first = last) {
         for (uint64_t bytes = 0; last < levels.size(); ++last) {
-            bytes += fine + bytes_of_triangle * triangles_of(pointers(*levels[last]));
+            bytes += fine + bytes_of_pair * max_pairs(triangles_of(pointers(*levels[last])));
             if (last > first && bytes > most) break;
         }
         const LevelList some(levels.data() + first, static_cast<uint32_t>(last - first));
@@ -268,6 +266,15 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
             found.push_back(one);
     }
     return found;
+}
+
+double wrong_zone(const model::Model &model, const PosedParts &source, const std::vector<double> &visibility,
+                  const std::vector<model::Part> &level)
+{
+    const PosedParts coarse = posed_at_rest(model.rig, pointers(level));
+    std::vector<double> areas = areas_of(source);
+    for (size_t t = 0; t < areas.size(); ++t) areas[t] *= visibility[t];
+    return wrong_zones(model, source, coarse, nearest_pairs(source, coarse), areas);
 }
 
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,

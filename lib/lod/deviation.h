@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/services.h"
+#include "lib/lod/surface_samples.h"
 #include "lib/model/model.h"
 
 namespace claque::lod
@@ -34,5 +35,9 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
                                   const std::vector<double> &visibility,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
                                   double metres_per_unit = 1, const base::Jobs &jobs = {});
+
+// Deviation::wrong_zone alone. `source`: at rest.
+double wrong_zone(const model::Model &model, const PosedParts &source, const std::vector<double> &visibility,
+                  const std::vector<model::Part> &level);
 
 }  // namespace claque::lod

@@ -14,10 +14,11 @@ namespace claque::lod
 namespace
 {
 
-// The centres of the four triangles that halving the sides makes, then the corners.
-const std::array<glm::dvec3, samples_per_triangle> sample_weights = {
-    glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0, glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0,
-    glm::dvec3(1, 0, 0),       glm::dvec3(0, 1, 0),       glm::dvec3(0, 0, 1)};
+// The centres of the four triangles that halving the sides makes.
+const std::array<glm::dvec3, 4> centre_weights = {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,
+                                                  glm::dvec3(1, 4, 1) / 6.0, glm::dvec3(1, 1, 4) / 6.0};
+const std::array<glm::dvec3, 3> corner_weights = {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+
 }  // namespace
 
 struct PartTrees::Tree {
@@ -54,21 +55,26 @@ std::vector<PointPair> PartTrees::nearest_pairs(const PosedParts &from) const
     // A vertex is a corner of several triangles, and the nearest triangle of one point is mostly that of the next.
     std::vector<SurfacePoint> of_vertex(from.positions().size(), SurfacePoint{model::none, {}});
     uint32_t guess = model::none;
-    out.reserve(samples_per_triangle * from.triangles().size());
-    for (uint32_t t = 0; t < from.triangles().size(); ++t) {
+    const size_t count = from.triangles().size(), step = (count + max_matched - 1) / max_matched,
+                 centres = count > dense_triangles ? 1 : centre_weights.size();
+    out.reserve(max_pairs(count));
+    for (uint32_t t = 0; t < count; t += static_cast<uint32_t>(step)) {
         const uint32_t part = from.triangles()[t].part;
         const Tree &tree = part_by_part && by_part_[part] ? *by_part_[part] : *all_;
-        for (size_t s = 0; s < sample_weights.size(); ++s) {
-            const SurfacePoint here = {t, sample_weights[s]};
-            SurfacePoint *known = s < area_samples ? nullptr : &of_vertex[from.vertices_of(t)[s - area_samples]];
-            if (known && known->triangle != model::none) {
-                out.push_back({here, *known});
-                continue;
-            }
+        const auto nearest = [&](const SurfacePoint &here) {
             const NearestPoint::Found found = tree.nearest.to(position_of(from, here), guess);
             guess = found.triangle;
-            out.push_back({here, {tree.triangles[found.triangle], found.weights}});
-            if (known) *known = out.back().there;
+            return SurfacePoint{tree.triangles[found.triangle], found.weights};
+        };
+        for (size_t s = 0; s < centres; ++s) {
+            const SurfacePoint here = {t, centre_weights[s]};
+            out.push_back({here, nearest(here), PointPair::inside, static_cast<uint8_t>(4 / centres)});
+        }
+        for (uint8_t corner = 0; corner < 3; ++corner) {
+            const SurfacePoint here = {t, corner_weights[corner]};
+            SurfacePoint &known = of_vertex[from.vertices_of(t)[corner]];
+            if (known.triangle == model::none) known = nearest(here);
+            out.push_back({here, known, corner});
         }
     }
     return out;

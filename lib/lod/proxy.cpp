@@ -8,7 +8,6 @@
 #include "lib/lod/proxy_image.h"
 #include "lib/lod/proxy_mesh.h"
 #include "lib/lod/visibility.h"
-#include "lib/pose/pose.h"
 
 namespace claque::lod
 {
@@ -64,47 +63,52 @@ uint32_t add_material(const ProxySource &source, std::vector<model::Image> image
 }  // namespace
 
 ProxySource::ProxySource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
-    : model(of), fine(parts), keys(keys_of(of))
+    : ProxySource(of, posed_at_rest(of.rig, parts), {}, jobs)
 {
-    pose::Workspace workspace(model.rig);
-    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
-    fine.pose(model.rig, palette, workspace.weights());
-    visibility = visibility_of(model, fine, jobs);
-    for (size_t i = 0; i < set_count(); ++i)
-        area_fractions.push_back(zone_area_fractions(model, fine, visibility, set(i)));
 }
 
-PosedParts ProxySource::at_rest(const model::Part &part) const
+ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector<double> seen, const base::Jobs &jobs)
+    : model(of), fine(std::move(at_rest)), visibility(std::move(seen)), keys(keys_of(of))
 {
-    PosedParts posed({&part});
-    pose::Workspace workspace(model.rig);
-    const base::Span<const math::Affine> palette = workspace.pose(model::none, 0);
-    posed.pose(model.rig, palette, workspace.weights());
-    return posed;
+    if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
+    area_fractions.resize(set_count());
+    jobs.try_each(static_cast<uint32_t>(set_count()),
+                  [&](uint32_t i) { area_fractions[i] = zone_area_fractions(model, fine, visibility, set(i)); });
 }
 
-ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
-                         const ProxyOptions &options, const base::Jobs &jobs)
+PosedParts ProxySource::at_rest(const model::Part &part) const { return posed_at_rest(model.rig, {&part}); }
+
+ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs)
 {
-    ProxyMeshOptions shell;
-    shell.targets = options.targets;
-    shell.influence = options.influence, shell.zone = options.zone, shell.jobs = jobs;
-    const ProxySource from(model, source, jobs);
     std::vector<model::Part> swatch_parts;
     ProxyLevels proxies;
-    proxies.zone_keys = from.keys;
-    proxies.set_images.resize(model.texture_sets.size());
-    for (model::Part &part : proxy_meshes(model, source, shell))
+    proxies.zone_keys = source.keys;
+    proxies.set_images.resize(source.model.texture_sets.size());
+    for (model::Part &part : meshes)
         (part.indices.size() <= 3 * max_clean_triangles ? swatch_parts : proxies.parts).push_back(std::move(part));
-    for (model::Part &part : proxies.parts) part.material = add_material(from, bake_charts(from, part, jobs), proxies);
+    std::vector<std::vector<model::Image>> charts(proxies.parts.size()), swatches(1);
+    const uint32_t count = static_cast<uint32_t>(charts.size());
+    // The swatches take longest, so they begin first. The tasks of a task are its own.
+    jobs.try_each(count + 1, [&](uint32_t i) {
+        if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1], {});
+        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts, {});
+    });
+    for (uint32_t i = 0; i < count; ++i)
+        proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);
     if (swatch_parts.empty()) return proxies;
-    std::vector<model::Image> images = bake_swatches(from, swatch_parts, jobs);
-    const uint32_t material = add_material(from, std::move(images), proxies);
+    const uint32_t material = add_material(source, std::move(swatches[0]), proxies);
     for (model::Part &part : swatch_parts) {
         part.material = material;
         proxies.parts.push_back(std::move(part));
     }
     return proxies;
+}
+
+ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
+                         const ProxyOptions &options, const base::Jobs &jobs)
+{
+    return bake_proxies(ProxySource(model, source, jobs),
+                        proxy_meshes(model, source, {options.targets, options.influence, options.zone, jobs}), jobs);
 }
 
 void add_to_model(const ProxyLevels &proxies, model::Model &model)

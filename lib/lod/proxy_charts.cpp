@@ -18,7 +18,10 @@ namespace claque::lod
 namespace
 {
 
-constexpr uint32_t texels_per_triangle = 32, least_texels_per_triangle = 2;
+// A level of `full_triangles` or fewer gets all its texels. A level of more gets as many in all: where it begins, it is
+// no larger in the picture than a few thousand pixels.
+constexpr uint32_t texels_per_triangle = 32, wanted_texels_per_triangle = 8, least_texels_per_triangle = 2;
+constexpr size_t full_triangles = 256;
 constexpr size_t samples = 4;             // per texel
 constexpr double outward_offset = 0.005;  // as a fraction of the character's size
 
@@ -29,14 +32,19 @@ struct LevelPoint {
     double distance_squared = std::numeric_limits<double>::infinity();  // in texels
 };
 
-LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Chart &chart, glm::dvec2 p)
+// `guess`: a triangle of the chart that is tried first.
+LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Chart &chart, glm::dvec2 p,
+                          uint32_t guess)
 {
     LevelPoint best;
-    for (const uint32_t t : chart.triangles) {
+    const auto try_triangle = [&](uint32_t t) {
         const glm::dvec3 at(p, 0), weights = flat[t].nearest(at), off = point_on(flat[t].corners, weights) - at;
         if (glm::dot(off, off) < best.distance_squared) best = {t, weights, glm::dot(off, off)};
-        if (best.distance_squared == 0) break;
-    }
+        return best.distance_squared == 0;
+    };
+    if (try_triangle(guess)) return best;
+    for (const uint32_t t : chart.triangles)
+        if (try_triangle(t)) break;
     return best;
 }
 
@@ -70,9 +78,10 @@ public:
         std::vector<TexelSamples> texels(size_t(atlas_.width) * atlas_.height);
         jobs.try_each(static_cast<uint32_t>(atlas_.charts.size()), [&](uint32_t i) {
             const Chart &chart = atlas_.charts[i];
+            Guess guess{chart.triangles[0], 0};
             for (uint32_t y = chart.y; y < chart.y + chart.height; ++y)
                 for (uint32_t x = chart.x; x < chart.x + chart.width; ++x)
-                    sample(chart, x, y, texels[size_t(y) * atlas_.width + x]);
+                    sample(chart, x, y, guess, texels[size_t(y) * atlas_.width + x]);
         });
         return texels;
     }
@@ -92,18 +101,25 @@ private:
         return found;
     }
 
-    void sample(const Chart &chart, uint32_t x, uint32_t y, TexelSamples &texel) const
+    // What the last sample of a chart found: mostly near to what the next one finds.
+    struct Guess {
+        uint32_t of_level, of_source;
+    };
+    void sample(const Chart &chart, uint32_t x, uint32_t y, Guess &guess, TexelSamples &texel) const
     {
         for (size_t i = 0; i < samples; ++i) {
             const glm::dvec2 p(x + 0.25 + 0.5 * double(i % 2), y + 0.25 + 0.5 * double(i / 2));
-            const LevelPoint here = level_point_at(flat_, chart, p);
+            const LevelPoint here = level_point_at(flat_, chart, p, guess.of_level);
+            guess.of_level = here.triangle;
             if (here.distance_squared > double(atlas_gutter * atlas_gutter)) return;
             const auto c = level_.corners(level_.triangles()[here.triangle]);
             const glm::dvec3 normal = glm::cross(c[1] - c[0], c[2] - c[0]);
             const double length = glm::length(normal);
             const glm::dvec3 at = point_on(c, here.weights);
             // The query point is slightly outside: of two layers the outer one is visible.
-            const NearestPoint::Found found = nearest_.to(length > 0 ? at + normal * (offset_ / length) : at);
+            const NearestPoint::Found found =
+                nearest_.to(length > 0 ? at + normal * (offset_ / length) : at, guess.of_source);
+            guess.of_source = found.triangle;
             texel.points[i] = {visible_triangles_[found.triangle], found.weights};
             texel.middle += at / double(samples);
         }
@@ -159,7 +175,9 @@ uint32_t texels_for(const model::Model &model, size_t triangles)
 {
     constexpr uint64_t bytes_of_texel = 2 * (sizeof(TexelSamples) + sizeof(ProxyTexel) + sizeof(double) + 4);
     const uint64_t most = (64 * model::source_bytes(model) + (16ull << 20)) / 4 / bytes_of_texel / triangles;
-    return static_cast<uint32_t>(std::clamp<uint64_t>(most, least_texels_per_triangle, texels_per_triangle));
+    const uint64_t wanted = std::clamp<uint64_t>(texels_per_triangle * full_triangles / triangles,
+                                                 wanted_texels_per_triangle, texels_per_triangle);
+    return static_cast<uint32_t>(std::clamp<uint64_t>(most, least_texels_per_triangle, wanted));
 }
 
 }  // namespace

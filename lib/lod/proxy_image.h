@@ -10,6 +10,8 @@ namespace claque::lod
 // The character that proxies are baked from.
 struct ProxySource {
     ProxySource(const model::Model &model, const std::vector<const model::Part *> &parts, const base::Jobs &jobs = {});
+    // The same where the visibility is known.
+    ProxySource(const model::Model &model, PosedParts at_rest, std::vector<double> visibility, const base::Jobs &jobs);
 
     size_t set_count() const { return model.texture_sets.size() + 1; }
     const model::TextureSet *set(size_t i) const { return i ? &model.texture_sets[i - 1] : nullptr; }
@@ -32,6 +34,10 @@ void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 // texture coordinates. Returns one image per texture set for all parts.
 std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
                                         const base::Jobs &jobs = {});
+
+// Makes the images of `meshes`, which proxy_meshes() returned, as make_proxies() does. The result does not depend on
+// `jobs`.
+ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs = {});
 
 // Bakes one part whose texels show the nearest points of the source.
 std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs = {});

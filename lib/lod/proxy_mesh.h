@@ -10,12 +10,12 @@ namespace claque::lod
 
 struct ProxyMeshOptions {
     std::vector<size_t> targets;  // triangles, strictly descending
-    uint32_t cells = 48;          // along the character's longest side; details below one cell are lost
 
     // The cost of a vertex that represents surface of other joints, or of another zone, as fractions of the character's
     // size.
     double influence = 0.1, zone = 0.05;
-    base::Jobs jobs;
+    base::Jobs jobs = {};
+    uint32_t cells = 48;  // along the character's longest side; details below one cell are lost
 };
 
 // Returns one skinned part per target, without texture coordinates. A vertex follows the joints of the surface that it

@@ -66,14 +66,17 @@ std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedP
 {
     std::vector<ZoneColours> zone_colours(part.triangles().size());
     const std::vector<PointPair> out = nearest_pairs(source.fine, part), back = nearest_pairs(part, source.fine);
-    for (size_t i = 0; i < out.size(); ++i) {
-        const uint32_t t = out[i].here.triangle;
-        if (i % samples_per_triangle < area_samples && source.visibility[t] > 0)
-            add_colour(source, out[i].here, area_of(source.fine, t) * source.visibility[t],
-                       zone_colours[out[i].there.triangle]);
+    for (const PointPair &pair : out) {
+        const uint32_t t = pair.here.triangle;
+        if (pair.corner == PointPair::inside && source.visibility[t] > 0)
+            add_colour(source, pair.here, area_of(source.fine, t) * source.visibility[t],
+                       zone_colours[pair.there.triangle]);
     }
+    std::vector<SurfacePoint> centres(zone_colours.size());  // the first sample of a triangle is its centre
+    for (auto pair = back.rbegin(); pair != back.rend(); ++pair)
+        if (pair->corner == PointPair::inside) centres[pair->here.triangle] = pair->there;
     for (size_t t = 0; t < zone_colours.size(); ++t)
-        if (zone_colours[t].empty()) add_colour(source, back[samples_per_triangle * t].there, 1, zone_colours[t]);
+        if (zone_colours[t].empty()) add_colour(source, centres[t], 1, zone_colours[t]);
     return zone_colours;
 }
 

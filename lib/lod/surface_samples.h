@@ -90,14 +90,24 @@ constexpr double surface_sample_count = 20000;  // for measuring area fractions
 std::vector<SurfaceSample> sample_surface(const PosedParts &parts, double count);
 
 // Matches the samples of `from` with the nearest points of `to` in their present poses. The samples are, for each
-// triangle, the centres of the four triangles that halving its sides makes, with a quarter of its area each, then its
-// corners, for distances only. The nearest point is on the part of the same index or, if that has no triangles, on any
-// part.
+// triangle, the centres of the four triangles that halving its sides makes, then its corners, for distances only. Of
+// more than `dense_triangles` triangles each has only the first of these centres, and of more than `max_matched` only
+// so many triangles have samples at all. The nearest point is on the part of the same index or, if that has no
+// triangles, on any part.
+constexpr size_t dense_triangles = 2500, max_matched = 10000;
 struct PointPair {
+    static constexpr uint8_t inside = 3;
     SurfacePoint here, there;
+    uint8_t corner = inside;  // which corner of its triangle `here` is
+    uint8_t weight = 1;       // a centre that stands for the other three counts as four
 };
-constexpr size_t samples_per_triangle = 7, area_samples = 4;
 std::vector<PointPair> nearest_pairs(const PosedParts &from, const PosedParts &to);
+
+// Samples of a surface of so many triangles that nearest_pairs() makes at most.
+inline size_t max_pairs(size_t triangles)
+{
+    return triangles > dense_triangles ? 4 * (triangles < max_matched ? triangles : max_matched) : 7 * triangles;
+}
 
 // The same for several queries against one target; the trees are built once.
 class PartTrees

@@ -15,6 +15,9 @@ namespace
 // Beyond this error of an area fraction, a zone's cost grows with the third power, so that no zone reaches two points.
 constexpr double steep = 0.006;
 
+// Rays are cast again when so much of the triangles is left: what is seen of the others hardly changes.
+constexpr double recast = 0.9;
+
 }  // namespace
 
 ZoneAreaCost::ZoneAreaCost(const WeldedSurface &surface, const model::Model &model, double weight,
@@ -55,13 +58,16 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
         faces.push_back(static_cast<size_t>(face.idx()));
         zones_[faces.back()] = zone_of(face);
     }
-    const std::vector<double> visibility = visibility_of(queries, VisibilityQuality::fast, jobs_);
+    if (faces_at_cast_ == 0 || double(faces.size()) <= recast * double(faces_at_cast_)) {
+        const std::vector<double> visibility = visibility_of(queries, VisibilityQuality::fast, jobs_);
+        for (size_t i = 0; i < faces.size(); ++i) visibility_[faces[i]] = visibility[i];
+        faces_at_cast_ = faces.size();
+    }
     area_fractions.assign(model_.zones.size() + 1, 0);
     double all = 0;
     for (size_t i = 0; i < faces.size(); ++i) {
         const auto &c = queries[i].corners;
-        const double area = visibility[i] * TriangleFrame(c[0], c[1], c[2]).area;
-        visibility_[faces[i]] = visibility[i];
+        const double area = visibility_[faces[i]] * TriangleFrame(c[0], c[1], c[2]).area;
         area_fractions[zones_[faces[i]]] += area, all += area;
     }
     for (double &share : area_fractions) share = all > 0 ? share / all : 0;

@@ -33,8 +33,9 @@ private:
     const WeldedSurface &surface_;
     const model::Model &model_;
     const base::Jobs &jobs_;
-    double weight_ = 0, area_ = 0;                           // of the whole source
-    std::vector<double> visibility_;                         // by face (visibility.h)
+    double weight_ = 0, area_ = 0;    // of the whole source
+    std::vector<double> visibility_;  // by face (visibility.h), when rays were cast last
+    size_t faces_at_cast_ = 0;
     std::vector<size_t> zones_;                              // by face
     std::vector<double> source_fractions_, area_fractions_;  // by zone
     std::vector<std::pair<size_t, double>> changes_;

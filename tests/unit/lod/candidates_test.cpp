@@ -11,7 +11,7 @@ namespace
 lod::Candidate of(size_t triangles, double error_m, bool is_proxy)
 {
     lod::Candidate made;
-    made.level.triangles = triangles, made.level.error_m = error_m, made.is_proxy = is_proxy;
+    made.target = made.level.triangles = triangles, made.level.error_m = error_m, made.is_proxy = is_proxy;
     made.level.distance_m = lod::switch_distance(error_m, 1);
     made.parts.emplace_back();
     made.parts[0].indices.assign(3 * triangles, 0), made.parts[0].positions.resize(3);
