@@ -19,6 +19,10 @@ namespace
 constexpr double zone_tolerance = 0.0195;  // of a zone's area fraction: just below the promised 2 points
 constexpr double excess_penalty = 100;     // weight of an excess beyond the tolerance, against the zone cost
 
+// A zone of at least so much of the surface shall not vanish: below a third of its fraction, what is missing of that
+// costs up to as much as so much of wrong surface.
+constexpr double least_kept = 0.01, lost_penalty = 0.15;
+
 // The cost of an edge between two zones, in area fractions: its vertices are split.
 constexpr double seam_penalty = 0.004;
 constexpr size_t max_rounds = 2000;
@@ -175,7 +179,9 @@ private:
     };
     double excess_cost(size_t zone, double share) const
     {
-        return excess_penalty * std::max(std::abs(share - source_fractions_[zone]) - zone_tolerance, 0.0);
+        const double wanted = source_fractions_[zone],
+                     lost = wanted >= least_kept ? std::clamp(1 - 3 * share / wanted, 0.0, 1.0) : 0;
+        return excess_penalty * std::max(std::abs(share - wanted) - zone_tolerance, 0.0) + lost_penalty * lost;
     }
     void set(Change c)
     {
