@@ -13,7 +13,7 @@ namespace claque::lod
 namespace
 {
 
-constexpr double tolerance = 0.0195;  // of a zone's area fraction: just below the promised 2 points
+constexpr double tolerance = 0.01;  // of a zone's area fraction: half of the promised 2 points
 
 // The points that show one zone.
 struct ZonePoints {

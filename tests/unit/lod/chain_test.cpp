@@ -40,6 +40,23 @@ model::Model pyramid(float raised)
     return model;
 }
 
+// A flat square of 2 * side * side triangles.
+model::Model grid(uint32_t side)
+{
+    model::Model model = pyramid(0);
+    model::Part &part = model.parts[0];
+    part.positions.clear(), part.indices.clear();
+    for (uint32_t i = 0; i < (side + 1) * (side + 1); ++i) {
+        const uint32_t x = i % (side + 1), z = i / (side + 1);
+        part.positions.emplace_back(float(x) / float(side), 0, float(z) / float(side));
+        if (x < side && z < side)
+            for (const uint32_t v : {i, i + side + 1, i + 1, i + 1, i + side + 1, i + side + 2})
+                part.indices.push_back(v);
+    }
+    part.joints.assign(part.positions.size(), 0), part.weights.assign(part.positions.size(), 1);
+    return model;
+}
+
 model::Part flat_of(const model::Model &model)
 {
     model::Part part = model.parts[0];
@@ -106,6 +123,23 @@ TEST(Deviation, OfAFlattenedTopIsItsHeight)
     EXPECT_LT(flat.rest_rms_m, 0.25);
     EXPECT_EQ(flat.open_edges, 0u);
     EXPECT_NEAR(lod::deviation(model, {&model.parts[0]}, {flat_of(model)}, {}, 0.01).rest_max_m, 0.0025, 1e-8);
+}
+
+// Of more than 2500 triangles only one point inside of each is measured. It weighs as much as the four of a small mesh,
+// so that the way there counts as much as the way back: here a roof that only the level has.
+TEST(Deviation, WeighsALargeMeshAsASmallOne)
+{
+    const auto error_of = [](uint32_t side) {
+        const model::Model model = grid(side);
+        model::Part level = grid(1).parts[0];
+        for (const uint32_t v : {0u, 2u, 1u}) level.indices.push_back(4 + v);
+        for (size_t v = 0; v < 3; ++v) level.positions.push_back(level.positions[v] + glm::vec3(0, 0.1f, 0));
+        level.joints.assign(7, 0), level.weights.assign(7, 1);
+        return lod::deviation(model, {&model.parts[0]}, {level}, {}).rest_rms_m;
+    };
+    const double small = error_of(34), large = error_of(38);  // 2312 and 2888 triangles
+    EXPECT_GT(small, 0.03);
+    EXPECT_NEAR(large / small, 1, 0.01);
 }
 
 // A mesh that replaces all parts, as proxies do, is compared with all of them.
