@@ -27,6 +27,9 @@ constexpr uint32_t tries_at_once = 400, tries_in_a_tick = 8;
     throw Failure(of.at + ": " + text);
 }
 
+// In the first tick that is not decided yet while a time is shown.
+double heard_after_s(const Staging &stage) { return std::max(stage.lead_s, 2 * stage.tick_s) + stage.tick_s / 2; }
+
 double clock_s(void *)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -48,12 +51,14 @@ Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &sc
       options_(options),
       people_(library, crowd_options, scenario, described_.ground.has_value()),
       flyers_(library, people_.crowd(), described_),
+      path_(scenario.path),
       navigation_(make_navigation(setting, described_)),
       services_(make_services(scenario)),
       arrivals_(arrivals_of(described_, seed_)),
       agents_(people_.all().size())
 {
     add_doors(people_.crowd(), described_.doors);
+    if (path_) sights_.emplace(people_, heard_after_s(described_));
     make_stage(library, options);
     add_actions();
     machines_ = add_machines(stage_.get(), described_, people_);
@@ -129,6 +134,7 @@ void Run::tick()
     const double end_s = end_of_tick();
     for (const auto &service : services_) service->before_tick(*this, end_s);
     let_in();
+    if (sights_) sights_->tell(stage_.get(), agents_, end_s);
     if (options_.stall_s > 0 &&
         std::floor(end_s / options_.stall_every_s) != std::floor((end_s - described_.tick_s) / options_.stall_every_s))
         work_for(options_.stall_s);
@@ -194,6 +200,7 @@ bool Run::let_in(uint32_t person, double due_s)
     check(clq_stage_add_agent(stage_.get(), &def, &agents_[person]), of.at);
     person_of_.resize(agents_[person].index1);
     person_of_.back() = person;
+    if (sights_) sights_->came(person);
     here_.insert(std::lower_bound(here_.begin(), here_.end(), person), person);
     if (!machine.goes || !navigation_) deed({Deed::Kind::appear, def.start_s, person, spot});
     const std::lock_guard<std::mutex> lock(mutex_);

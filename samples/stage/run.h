@@ -12,6 +12,7 @@
 #include "samples/stage/machines.h"
 #include "samples/stage/people.h"
 #include "samples/stage/services.h"
+#include "samples/stage/sights.h"
 
 namespace staged
 {
@@ -45,6 +46,10 @@ public:
 
     // The flow that draws: gives the crowd what is due. clq_crowd_update with the same time follows.
     void show(double time_s);
+
+    // In a run with a camera path: shows the times before time_s at which it looks who is in view of that camera.
+    // `reach` is called with each of them before.
+    void look(double time_s, const std::function<void(double)> &reach);
 
     // The state of the run, its stage and its crowd; no flow may be at work meanwhile. A run of the same scenario, seed
     // and characters that takes it goes on as this one does. restore() throws Failure on anything else; the run is then
@@ -110,6 +115,8 @@ private:
     RunOptions options_;
     People people_;
     Flyers flyers_;
+    std::optional<scenes::CameraPath> path_;  // of the camera that looks
+    std::optional<Sights> sights_;
     OwnNavigation navigation_;
     OwnStage stage_;
     std::vector<std::unique_ptr<Service>> services_;

@@ -40,6 +40,7 @@ void Run::put_state(BytesOut &out) const
         for (const double x : one.spot.position) out.put(x);
         out.put(one.spot.heading_rad);
     }
+    if (sights_) sights_->put(out);
     for (const auto &service : services_) service->put(out);
 }
 
@@ -73,6 +74,7 @@ void Run::take_state(BytesIn &in)
         for (double &x : one.spot.position) x = in.take<double>();
         one.spot.heading_rad = in.take<double>();
     }
+    if (sights_) sights_->take(in);
     for (const auto &service : services_) service->take(*this, in);
 }
 

@@ -46,6 +46,17 @@ void Run::show(double time_s)
     counts_.commands += applied.commands, counts_.refused += applied.refused, counts_.late += applied.late;
 }
 
+void Run::look(double time_s, const std::function<void(double)> &reach)
+{
+    constexpr double aspect = 4.0 / 3;
+    while (sights_ && sights_->next_s() <= time_s) {
+        const double now_s = sights_->next_s();
+        reach(now_s);
+        if (now_s > shown_s_) show(now_s);
+        sights_->look(path_->camera(now_s, aspect));
+    }
+}
+
 RunCounts Run::counts() const
 {
     const std::lock_guard<std::mutex> lock(mutex_);

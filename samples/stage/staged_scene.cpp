@@ -45,6 +45,7 @@ public:
 
     void place(double time_s) override
     {
+        run_.look(time_s, [this](double look_s) { flows_.reach(look_s); });
         flows_.reach(time_s);
         run_.show(time_s);
     }

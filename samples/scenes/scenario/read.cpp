@@ -24,7 +24,10 @@ void expect_people(TomlTable &all, const Scenario &scenario)
     if (scenario.theatre && scenario.tracks)
         all.refuse("has people who sit, [theatre], and people who walk, [tracks]; it needs one of the two", "tracks");
     if (scenario.stage && scenario.tracks)
-        all.refuse("has people who decide, [stage], and people on tracks, [tracks]; it needs one of the two", "tracks");
+        all.refuse(
+            "has people who decide, [stage], and people on tracks, [tracks], whom they would not see and walk "
+            "through; it needs one of the two",
+            "tracks");
     if (!scenario.theatre && !scenario.tracks && !scenario.stage)
         all.refuse("does not say where its people are: it needs [theatre] or [tracks], or [stage]");
 }
