@@ -28,6 +28,7 @@
 #include <claque/template.h>
 #include <claque/template_info.h>
 #include <claque/track.h>
+#include <claque/update_times.h>
 #include <claque/view.h>
 
 #endif

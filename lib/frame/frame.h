@@ -17,6 +17,8 @@ public:
 
     const Stats &stats() const { return work_.stats; }
     void reset_bands();
+    void set_step_clock(const HostClock &clock) { work_.step_clock = clock; }
+    const StepTimes &step_times() const { return work_.step_times; }
     void forget();  // clears visibility after the crowd's state was replaced; caches detect changed states themselves
     // Rows that were filled after the last update count as unseen.
     ActorVisibility visibility(const crowd::Crowd &crowd, uint32_t row) const;

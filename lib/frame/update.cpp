@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdio>
 #include <new>
 #include <stdexcept>
 
 #include "lib/frame/frame.h"
+#include "lib/frame/step_times.h"
 #include "lib/frame/steps.h"
 
 namespace claque::frame
@@ -32,30 +32,12 @@ base::Status check(base::Span<View *const> views, double time_s)
     return Status::good();
 }
 
-// The host's clock during one update. A clock that throws is not read again in it, and its times are not numbers.
-class HostTimer
+// The clock of the budget in milliseconds; none without one.
+HostTimer budget_timer(const Settings &settings)
 {
-public:
-    explicit HostTimer(const Settings &settings) : settings_(settings) {}
-    double now()
-    {
-        if (!(settings_.update_budget_ms > 0)) return 0;
-        double time_s = std::nan("");
-        if (!running_) return time_s;
-        const base::Status status =
-            base::call_host("clq_crowd_def.now_s", [&] { time_s = settings_.now.now_s(settings_.now.user); });
-        running_ = status.ok();
-        if (running_) return time_s;
-        char text[360];
-        std::snprintf(text, sizeof text, "%s; the update learned nothing of what a pose costs", status.text);
-        settings_.now.log.warn(text);
-        return std::nan("");
-    }
-
-private:
-    const Settings &settings_;
-    bool running_ = true;
-};
+    return {settings.update_budget_ms > 0 ? settings.now : HostClock(), "clq_crowd_def.now_s",
+            "the update learned nothing of what a pose costs"};
+}
 
 // Averages with the last update: a machine's load changes, but one slow update may be an exception.
 void learn_cost(Work &work, double spent_s)
@@ -83,7 +65,8 @@ public:
           work_(work),
           views_{views.data, views.count},
           elapsed_s_(work.has_last_time ? given.time_s - work.last_time_s : 0),
-          timer_(given.settings)
+          timer_(budget_timer(given.settings)),
+          steps_(work.step_clock)
     {
     }
 
@@ -103,6 +86,7 @@ private:
     base::Span<View *const> views_;
     double elapsed_s_;
     HostTimer timer_;
+    StepTimer steps_;
     uint32_t candidate_count_ = 0;
     double begun_s_ = 0;
 };
@@ -129,6 +113,7 @@ void UpdateRun::choose()
     const base::Span<Row> rows(work_.rows);
     if (elapsed_s_ < 0) work_.live_since = given_.update - 1;
     cull();
+    steps_.done(Step::cull);
     if (!given_.host_calls.ok()) return;
     checked(ChooseLevels{given_, visibilities(), motions(), work_.live_since, candidates(), rows}).run();
     checked(MakeRequests{given_, placed(), found(), caches, work_.layers, caches.pending(), work_.stats}).run();
@@ -138,11 +123,14 @@ void UpdateRun::choose()
     caches.find_due_poses();
     checked(KeepToBudget{given_, std::max(0.0, elapsed_s_), work_.pose_cost_s, caches, candidates(), rows}).run();
 
+    steps_.done(Step::choose);
+
     // Step 5: mechanisms write degrees of freedom, from which matrices follow.
     begun_s_ = timer_.now();
     checked(Behave{given_, placed(), found(), work_.dofs_each, base::Span<uint32_t>(work_.behaving),
                    base::Span<float>(work_.dofs), caches, work_.stats})
         .run();
+    steps_.done(Step::behave);
 }
 
 void UpdateRun::show()
@@ -151,6 +139,7 @@ void UpdateRun::show()
     Stats &stats = work_.stats;
     caches.animate(given_.jobs);
     const double posed_s = timer_.now();
+    steps_.done(Step::animate);
 
     // Step 6: third cull phase, by Internal Bspheres.
     const uint32_t visible_count =
@@ -159,15 +148,21 @@ void UpdateRun::show()
             .run();
     const base::Span<const uint32_t> visible(work_.visible.data(), visible_count);
     const double culled_s = timer_.now();
+    steps_.done(Step::cull_parts);
     caches.allocate_vertices();
     caches.find_due_vertices();
     caches.skin(given_.jobs);
     learn_cost(work_, posed_s - begun_s_ + timer_.now() - culled_s);
 
+    steps_.done(Step::skin);
+
     // Step 7: lists the visible individuals.
     for (uint32_t v = 0; v < views_.count; ++v)
         checked(ListView{given_, v, placed(), visible, visibilities(), caches, work_.listed, work_.ordered, *views_[v]})
             .run();
+
+    steps_.done(Step::list);
+    work_.step_times = steps_.times();
 
     work_.view_changes.note(given_.crowd, placed(), visible);
     static_cast<animcache::Counters &>(stats) = caches.counters();

@@ -5,6 +5,7 @@
 #include "lib/frame/frame_data.h"
 #include "lib/frame/order.h"
 #include "lib/frame/stats.h"
+#include "lib/frame/step_times.h"
 #include "lib/frame/view.h"
 #include "lib/frame/view_changes.h"
 
@@ -36,6 +37,8 @@ struct Work {
     std::pmr::vector<GroupRow> groups;
     Blocks blocks;
     ViewChanges view_changes;  // for hosts; no step reads it
+    HostClock step_clock;      // of the host; none: steps are not measured
+    StepTimes step_times;      // for hosts, of the last update
 
     // Of one update. Arrays have the maximum size; steps return how much of them they filled.
     std::pmr::vector<CameraState> eyes;       // one per view

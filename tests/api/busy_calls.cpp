@@ -131,6 +131,7 @@ void add_crowds(std::vector<Call> &all)
     change("clq_crowd_destroy", [](O o) { return clq_crowd_destroy(o.crowd); });
     change("clq_crowd_update", [](O o) { return clq_crowd_update(o.crowd, 9, &o.view, 1); });
     change("clq_crowd_reset_bands", [](O o) { return clq_crowd_reset_bands(o.crowd); });
+    change("clq_crowd_set_step_clock", [](O o) { return clq_crowd_set_step_clock(o.crowd, nullptr, nullptr); });
     change("clq_crowd_end_recording", [](O o) { return clq_crowd_end_recording(o.crowd, nullptr); });
     change("clq_crowd_begin_recording", [](O o) {
         clq_recording_def def = clq_recording_def_init();
@@ -204,6 +205,10 @@ void add_readers(std::vector<Call> &all)
     read("clq_crowd_get_stats", [](O o) {
         clq_crowd_stats stats = clq_crowd_stats_init();
         return clq_crowd_get_stats(o.crowd, &stats);
+    });
+    read("clq_crowd_get_update_times", [](O o) {
+        clq_update_times times = clq_update_times_init();
+        return clq_crowd_get_update_times(o.crowd, &times);
     });
     read("clq_group_get_info", [](O o) {
         clq_group_info info = clq_group_info_init();

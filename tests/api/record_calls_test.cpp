@@ -27,6 +27,7 @@ const std::map<std::string, std::string> not_recorded = {
     {"clq_crowd_release_tracks", "what an actor follows stays"},
     {"clq_crowd_reset_bands", "statistics are not what a crowd shows"},
     {"clq_crowd_set_ground", "callbacks are code of the host"},
+    {"clq_crowd_set_step_clock", "callbacks are code of the host"},
     {"clq_record_play", "refused for a crowd that is recorded"},
     {"clq_record_play_step", "refused for a crowd that is recorded"},
     {"clq_renderer_draw", "draws"},
