@@ -47,7 +47,9 @@ endif()
 claque_deb(dev libclaque-dev libdevel "Crowds for OpenGL 1.1: headers, static libraries, pkg-config and CMake packages" ${libraries})
 claque_deb(command claque graphics "Crowds for OpenGL 1.1: the claque command" ${libraries})
 # OpenGL is found at run time; either will do, and what needs none works without.
-set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6 | libegl1")
+set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libsdl2-2.0-0")
+# For `claque view --serve` and its films.
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS "libvncserver1, ffmpeg")
 list(JOIN CLAQUE_DECODER_PACKAGES ", " suggested)
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS libopenmesh-dev)  # these are for claque::assets_static
 if(suggested)

@@ -39,6 +39,7 @@ install /packages/libclaque[0-9]*.deb /packages/libclaque-assets*.deb /packages/
 claque --version
 claque inspect citizen > /citizen.txt
 head -n 3 /citizen.txt
+ls /usr/share/applications/claque.desktop /usr/share/icons/hicolor/256x256/apps/claque.png
 install libosmesa6
 claque render --scene plaza --count 50 --size 320x240 --out /plaza.png
 ls -l /plaza.png

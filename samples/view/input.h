@@ -25,7 +25,8 @@ struct Input {
     float wheel = 0;  // notches away from the person, in this frame
     std::bitset<key::count> keys;
     bool shift = false, control = false;
-    std::string text;  // typed in this frame, UTF-8
+    std::string text;     // typed in this frame, UTF-8
+    std::string dropped;  // a file that was dropped on the window in this frame
 };
 
 }  // namespace view

@@ -36,10 +36,19 @@ struct Picked {
 
 // Of one frame. Times are in milliseconds; negative: not measured.
 struct FrameCost {
-    double place_ms = -1, update_ms = -1, surroundings_ms = -1, crowd_ms = -1, interface_ms = -1;
+    double at_s = 0;  // of the person's time, not of the scene's
+    double place_ms = -1, update_ms = -1, surroundings_ms = -1, crowd_ms = -1;
+    double interface_ms = -1, interface_gl_ms = -1;  // of the panels: outside GL and in it
     clq_draw_stats drawn = {};
     clq_view_stats seen = {};
     clq_crowd_stats crowd = {};
+    clq_update_times steps = {};  // of the update
+};
+
+// A switch that the person used.
+struct Switched {
+    double at_s;
+    std::string words;
 };
 
 struct Clock {
@@ -80,6 +89,7 @@ struct Model {
     Switches switches;
     Tint tint = Tint::nothing;
     bool spheres = false, panel = true;
+    bool film = false;              // one is being made
     std::string saved_as = "view";  // the beginning of the names of pictures and paths
     Picked picked;
     uint64_t picks = 0;  // clicks in the picture that picked or let go
@@ -89,10 +99,15 @@ struct Model {
     Sections open;
     Designer designer;
     FrameCost cost;
-    std::deque<FrameCost> history;  // ten seconds at 25 frames a second
+    double real_s = 0;              // of the person's time, since the beginning
+    std::deque<FrameCost> history;  // of the last ten seconds
+    std::deque<Switched> switched;  // in them
     Wishes wishes;
 };
 
-constexpr size_t history_frames = 250;
+constexpr double history_s = 10;
+
+// What people cost in a frame, apart from their surroundings and the panels.
+inline double people_ms(const FrameCost &cost) { return cost.place_ms + cost.update_ms + cost.crowd_ms; }
 
 }  // namespace view

@@ -14,8 +14,9 @@ void time_bar(Ui &ui, Model &model)
     if (ui.button("back", true)) clock.paused = true, clock.time_s -= step_s;
     if (ui.button("step", true)) clock.paused = true, clock.time_s += step_s;
     if (ui.button("picture", true)) model.wishes.picture = true;
+    ui.toggle("film", model.film, true);
     ui.toggle("panels", model.panel, true);
-    ui.rest_of_line(9);
+    ui.rest_of_line(6);
     ui.slider("speed", clock.speed, 0.05f, 8, "%.2f x", true);
     // The slider reaches as far as the scene does; a scene without an end is given another minute when it is over.
     while (clock.time_s > clock.last_s) clock.last_s += 60;

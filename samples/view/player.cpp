@@ -66,6 +66,7 @@ Input Player::still() const
     input.elapsed_s = 1 / script_.frames_per_s;
     input.wheel = 0;
     input.text.clear();
+    input.dropped.clear();
     input.keys.reset();
     return input;
 }
@@ -95,6 +96,7 @@ void Player::begin(const Step &step, const Ui &ui, const World &world)
     else if (verb == "wheel") turn_wheel(step, world);
     else if (verb == "wait") wait(step);
     else if (verb == "size") resize(step);
+    else if (verb == "drop") drop(step);
     else if (verb == "see") see(step, ui);
     else {
         pending_shot_ = step.words[1];
@@ -238,8 +240,13 @@ void Player::turn_wheel(const Step &step, const World &world)
 
 void Player::wait(const Step &step)
 {
-    const long frames = std::lround(number(step, 1, 0, 3600) * script_.frames_per_s);
-    for (long k = 0; k < frames; ++k) frames_.push_back(still());
+    const double seconds = number(step, 1, 0, 3600);
+    const bool counted = step.words.size() > 2;
+    const long frames = std::lround(counted ? number(step, 2, 1, 1e6) : seconds * script_.frames_per_s);
+    for (long k = 0; k < frames; ++k) {
+        frames_.push_back(still());
+        if (counted) frames_.back().elapsed_s = seconds / static_cast<double>(frames);
+    }
 }
 
 void Player::resize(const Step &step)
@@ -251,6 +258,14 @@ void Player::resize(const Step &step)
     now_.width = static_cast<int>(number(sides, 0, 1, most_width_));
     now_.height = static_cast<int>(number(sides, 1, 1, most_height_));
     frames_.push_back(still());
+    frames_.push_back(still());
+}
+
+void Player::drop(const Step &step)
+{
+    frames_.push_back(still());
+    frames_.back().dropped = step.words[1];
+    frames_.push_back(still());  // panels of what is shown now
     frames_.push_back(still());
 }
 

@@ -22,8 +22,9 @@ constexpr Rule rules[] = {
     {"type", 2, 2, "type \"WIDGET\" \"TEXT\""},
     {"key", 1, 2, "key NAME [SECONDS]"},
     {"wheel", 1, 1, "wheel NOTCHES"},
-    {"wait", 1, 1, "wait SECONDS"},
+    {"wait", 1, 2, "wait SECONDS [FRAMES]"},
     {"size", 1, 1, "size WxH"},
+    {"drop", 1, 1, "drop FILE"},
     {"see", 1, 1, "see \"TEXT\""},
     {"shot", 1, 1, "shot FILE.png"},
 };

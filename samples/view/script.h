@@ -47,6 +47,7 @@ private:
     void turn_wheel(const Step &step, const World &world);
     void wait(const Step &step);
     void resize(const Step &step);
+    void drop(const Step &step);
     void see(const Step &step, const Ui &ui) const;
     Box reach(const Step &step, const std::string &name, const Ui &ui);
     void move(float x, float y);

@@ -26,17 +26,59 @@ std::string list_of(const Point &p)
 }  // namespace
 
 Session::Session(Surface &surface, Open open, const Switches &switches, float scale, Now now)
-    : now_(now), world_(surface, std::move(open), with_gl(surface, switches), now), ui_(scale)
+    : Session(surface, open, load(open, switches), switches, scale, now)
+{
+}
+
+Session::Session(Surface &surface, Open open, Loaded loaded, const Switches &switches, float scale, Now now)
+    : surface_(surface),
+      now_(now),
+      world_(surface, std::move(open), std::move(loaded), with_gl(surface, switches), now),
+      ui_(scale)
 {
     model_.switches = switches;
+    take_times();
+}
+
+void Session::renew()
+{
+    ui_.forget_context();
+    world_.renew();
+    with_gl(surface_, model_.switches);
+    model_.dofs.clear();
+    model_.message = "the OpenGL context was lost, and is made anew";
+}
+
+void Session::take_times()
+{
     model_.clock.first_s = model_.clock.time_s = world_.first_s();
     model_.clock.last_s = world_.last_s();
     if (world_.has_path()) model_.view.shot = 2;
 }
 
+void Session::take_drop(const std::string &path)
+{
+    const std::string name = path.substr(path.rfind('/') + 1);
+    if (!drop_) return;
+    try {
+        world_.open(drop_(path));
+    } catch (const scenes::Failure &failure) {
+        model_.message = failure.what();
+        return;
+    }
+    model_.picked = {};
+    model_.dofs.clear();
+    model_.view.mode = CameraMode::scene;
+    model_.view.shot = 0;
+    take_times();
+    model_.message = name + " is shown";
+}
+
 void Session::frame(const Input &input)
 {
     Clock &clock = model_.clock;
+    if (!input.dropped.empty()) take_drop(input.dropped);
+    model_.real_s += input.elapsed_s;
     if (!clock.paused) clock.time_s += input.elapsed_s * static_cast<double>(clock.speed);
     const double start = now_ ? now_() : 0;
     ui_.begin(input);
@@ -53,9 +95,18 @@ void Session::frame(const Input &input)
     const double middle = now_ ? now_() : 0;
     world_.frame(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
     const double last = now_ ? now_() : 0;
+    if (world_.context_lost()) {
+        ui_.end();
+        return renew();
+    }
     marks(ui_, model_, world_);
-    ui_.end();
-    if (now_) model_.cost.interface_ms = (now_() - last + middle - start) * 1000;
+    ui_.close();
+    const double closed = now_ ? now_() : 0;
+    ui_.draw();
+    if (!now_) return;
+    world_.finish();
+    model_.cost.interface_ms = (closed - last + middle - start) * 1000;
+    model_.cost.interface_gl_ms = (now_() - closed) * 1000;
 }
 
 std::string path_text(const View &view)

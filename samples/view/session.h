@@ -12,16 +12,28 @@ class Session
 public:
     // Throws scenes::Failure.
     Session(Surface &surface, Open open, const Switches &switches, float scale, Now now);
+    // The same with what `open` made already, with the same switches.
+    Session(Surface &surface, Open open, Loaded loaded, const Switches &switches, float scale, Now now);
 
+    // What a file that is dropped shows. It may throw scenes::Failure, which the person reads.
+    void on_drop(std::function<Open(const std::string &path)> drop) { drop_ = std::move(drop); }
     // One frame: the person's input, the panels, the crowd at the model's time, and the picture of it all.
     void frame(const Input &input);
+
+    // The context is lost: shows the same in another one. What was done to single people is lost with it.
+    void renew();
 
     Model &model() { return model_; }
     const Ui &ui() const { return ui_; }
     const World &world() const { return world_; }
 
 private:
+    void take_times();
+    void take_drop(const std::string &path);
+
+    Surface &surface_;
     Now now_;
+    std::function<Open(const std::string &path)> drop_;
     World world_;
     Ui ui_;
     Hands hands_;

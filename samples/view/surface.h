@@ -24,6 +24,8 @@ public:
     // A width and height of pixels from the left side, `below` lines up: three bytes a pixel, top row first.
     virtual void read(int below, int width, int height, std::vector<uint8_t> &out) = 0;
     virtual void show() {}
+    // Another context in place of the present one, which is lost. Throws scenes::Failure.
+    virtual void renew() = 0;
 };
 
 // Throws scenes::Failure. Pictures may be smaller than this, but not larger.

@@ -11,7 +11,10 @@ namespace
 class OffscreenSurface final : public Surface
 {
 public:
-    explicit OffscreenSurface(std::unique_ptr<contexts::Offscreen> offscreen) : offscreen_(std::move(offscreen)) {}
+    OffscreenSurface(contexts::Kind kind, int width, int height) : kind_(kind), width_(width), height_(height)
+    {
+        renew();
+    }
 
     GetProcAddress get_proc_address() const override { return offscreen_->get_proc_address(); }
     void *user() const override { return offscreen_->user(); }
@@ -28,7 +31,17 @@ public:
                         whole_.data() + whole_row * static_cast<size_t>(above + y), row);
     }
 
+    void renew() override
+    {
+        offscreen_.reset();
+        std::string why_not;
+        offscreen_ = contexts::make_offscreen(kind_, width_, height_, contexts::PixelFormat::rgba8888, why_not);
+        if (!offscreen_) throw scenes::Failure("no OpenGL context: " + why_not);
+    }
+
 private:
+    contexts::Kind kind_;
+    int width_, height_;
     std::unique_ptr<contexts::Offscreen> offscreen_;
     std::vector<uint8_t> whole_;
 };
@@ -37,10 +50,7 @@ private:
 
 std::unique_ptr<Surface> make_offscreen_surface(contexts::Kind kind, int width, int height)
 {
-    std::string why_not;
-    auto offscreen = contexts::make_offscreen(kind, width, height, contexts::PixelFormat::rgba8888, why_not);
-    if (!offscreen) throw scenes::Failure("no OpenGL context: " + why_not);
-    return std::make_unique<OffscreenSurface>(std::move(offscreen));
+    return std::make_unique<OffscreenSurface>(kind, width, height);
 }
 
 }  // namespace view

@@ -95,10 +95,18 @@ void Ui::begin(const Input &input)
     ImGui::NewFrame();
 }
 
-void Ui::end()
+void Ui::forget_context()
+{
+    ImGui::SetCurrentContext(context_);
+    ImGui_ImplOpenGL2_DestroyDeviceObjects();
+    pictures_.clear();
+}
+
+void Ui::draw() { ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData()); }
+
+void Ui::close()
 {
     ImGui::Render();
-    ImGui_ImplOpenGL2_RenderDrawData(ImGui::GetDrawData());
     widgets_ = std::move(drawn_);
     texts_ = std::move(said_);
     drawn_.clear();

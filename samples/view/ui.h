@@ -37,8 +37,16 @@ public:
     Ui &operator=(const Ui &) = delete;
 
     void begin(const Input &input);
-    // Draws what was said since begin() into the current context.
-    void end();
+    // The context is lost: what it held is made anew in the next frame.
+    void forget_context();
+    // Completes what was said since begin(); then it can be drawn into the current context.
+    void close();
+    void draw();
+    void end()
+    {
+        close();
+        draw();
+    }
 
     // A panel without a title, at a place of its own; its contents scroll if they are too high.
     void begin_panel(const char *name, const Box &box);
@@ -70,7 +78,9 @@ public:
     // A name and a number or word, in two columns.
     void row(const char *name, const std::string &value);
     void swatch(const float (&rgb)[3], const std::string &words);
-    void plot(const char *name, const std::vector<float> &values, const std::string &words);
+    // `marks`: upright lines, from 0 to 1 of its width.
+    void plot(const char *name, const std::vector<float> &values, const std::string &words,
+              const std::vector<float> &marks = {});
     void space();
 
     // Marks over the picture.

@@ -49,7 +49,8 @@ void Ui::swatch(const float (&rgb)[3], const std::string &words)
     text(words);
 }
 
-void Ui::plot(const char *name, const std::vector<float> &values, const std::string &words)
+void Ui::plot(const char *name, const std::vector<float> &values, const std::string &words,
+              const std::vector<float> &marks)
 {
     text(words);
     const float highest = values.empty() ? 1 : *std::max_element(values.begin(), values.end());
@@ -57,6 +58,11 @@ void Ui::plot(const char *name, const std::vector<float> &values, const std::str
     ImGui::PlotLines("", values.data(), static_cast<int>(values.size()), 0, nullptr, 0, std::max(highest * 1.1f, 1e-3f),
                      ImVec2(ImGui::GetContentRegionAvail().x, 3 * em_));
     ImGui::PopID();
+    const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+    for (const float mark : marks) {
+        const float x = std::floor(low.x + mark * (high.x - low.x)) + 0.5f;
+        ImGui::GetWindowDrawList()->AddLine(ImVec2(x, low.y), ImVec2(x, high.y), IM_COL32(255, 214, 80, 255));
+    }
 }
 
 void Ui::space() { ImGui::Spacing(); }

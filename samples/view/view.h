@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
+#include "samples/view/serve/options.h"
 #include "samples/view/world.h"
 
 namespace view
@@ -12,16 +14,20 @@ namespace view
 struct Request {
     std::string title;
     Open open;
+    std::function<Open(const std::string &path)> drop;  // Session::on_drop
     Switches switches;
     int width = 1280, height = 800;
     float scale = 1;
     contexts::Kind context = contexts::Kind::any;
-    std::string script, script_file;  // the text of a script and its name; no name: a window
-    std::string colours;              // a colour map for the designer; no name: none
-    std::string folder = ".";         // where pictures, paths and colour maps are saved
+    std::string script, script_file;      // the text of a script and its name; no name: a window
+    std::string rates;                    // a file for what the frames of a measured script cost, as JSON; empty: none
+    std::optional<serve::Options> serve;  // over VNC in place of a screen
+    std::string colours;                  // a colour map for the designer; no name: none
+    std::string folder = ".";             // where pictures, films, paths and colour maps are saved
     std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)> save_picture;
     std::function<void(const std::string &path, const std::string &text)> save_text;
     std::function<void(const std::string &what)> progress;
+    std::function<void(const std::string &line)> say;  // what stays to be read
     std::function<void(const std::string &sentence)> conclude;
 };
 

@@ -1,9 +1,9 @@
 // A window by SDL2, and its events as input.
 #include <chrono>
-#include <deque>
 
 #include "samples/scenes/check.h"
 #include "samples/scenes/gl.h"
+#include "samples/view/input_queue.h"
 #include "samples/view/sdl.h"
 #include "samples/view/surface.h"
 
@@ -79,6 +79,12 @@ public:
     const std::string &name() const override { return name_; }
     void read(int below, int width, int height, std::vector<uint8_t> &out) override;
     void show() override { sdl().GL_SwapWindow(window_); }
+    void renew() override
+    {
+        if (context_) sdl().GL_DeleteContext(context_);
+        context_ = sdl().GL_CreateContext(window_);
+        if (!context_) refuse("the OpenGL context is lost, and another could not be made");
+    }
     bool next(Input &input) override;
 
 private:
@@ -96,62 +102,59 @@ private:
         const auto *words = get(scenes::gl::version);
         return words ? "OpenGL " + std::string(reinterpret_cast<const char *>(words)) : "OpenGL";
     }
-    bool take(const SDL_Event &event);
+    void take(const SDL_Event &event);
+    void take_key(const SDL_Event &event);
 
     SDL_Window *window_ = nullptr;
     SDL_GLContext context_ = nullptr;
     std::string name_;
     Input now_;
     bool closed_ = false;
-    std::deque<SDL_Event> waiting_;
-    std::bitset<key::count> changed_keys_;  // in this frame
-    bool changed_buttons_[button_count] = {};
+    InputQueue queue_;
     double last_s_ = 0;
 };
 
-// Returns false for a second change of one button or key in a frame: it waits for the next, which else would miss a
-// short click.
-bool SdlWindow::take(const SDL_Event &event)
+void SdlWindow::take(const SDL_Event &event)
 {
     if (event.type == SDL_QUIT) closed_ = true;
     if (event.type == SDL_MOUSEMOTION) {
         int width = 1, height = 1;
         sdl().GetWindowSize(window_, &width, &height);
-        now_.mouse_x = static_cast<float>(event.motion.x) * static_cast<float>(now_.width) / static_cast<float>(width);
-        now_.mouse_y =
-            static_cast<float>(event.motion.y) * static_cast<float>(now_.height) / static_cast<float>(height);
+        queue_.push(
+            {Event::Kind::move,
+             static_cast<float>(event.motion.x) * static_cast<float>(now_.width) / static_cast<float>(width),
+             static_cast<float>(event.motion.y) * static_cast<float>(now_.height) / static_cast<float>(height)});
     }
     if (event.type == SDL_MOUSEBUTTONDOWN || event.type == SDL_MOUSEBUTTONUP) {
         const int button = button_of(event.button.button);
-        if (button < 0) return true;
-        if (changed_buttons_[button]) return false;
-        changed_buttons_[button] = true;
-        now_.buttons[button] = event.type == SDL_MOUSEBUTTONDOWN;
+        if (button >= 0) queue_.push({Event::Kind::button, 0, 0, button, event.type == SDL_MOUSEBUTTONDOWN});
     }
-    if (event.type == SDL_MOUSEWHEEL) now_.wheel += static_cast<float>(event.wheel.y);
-    if (event.type == SDL_TEXTINPUT) now_.text += event.text.text;
-    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) {
-        const auto code = static_cast<size_t>(key_of(event.key.keysym.sym));
-        if (event.key.repeat != 0) return true;
-        if (code == 'Q' && (event.key.keysym.mod & KMOD_CTRL) != 0) closed_ = true;
-        if (changed_keys_[code]) return false;
-        changed_keys_[code] = true;
-        now_.keys[code] = event.type == SDL_KEYDOWN;
+    if (event.type == SDL_MOUSEWHEEL) queue_.push({Event::Kind::wheel, 0, static_cast<float>(event.wheel.y)});
+    if (event.type == SDL_TEXTINPUT) queue_.push({Event::Kind::text, 0, 0, 0, false, event.text.text});
+    if (event.type == SDL_KEYDOWN || event.type == SDL_KEYUP) take_key(event);
+    if (event.type == SDL_DROPFILE) {
+        queue_.push({Event::Kind::drop, 0, 0, 0, false, event.drop.file});
+        sdl().free(event.drop.file);
     }
-    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST) now_.keys.reset();
-    return true;
+    if (event.type == SDL_WINDOWEVENT && event.window.event == SDL_WINDOWEVENT_FOCUS_LOST)
+        for (int code = 0; code < key::count; ++code)
+            if (now_.keys[static_cast<size_t>(code)]) queue_.push({Event::Kind::key, 0, 0, code, false});
+}
+
+void SdlWindow::take_key(const SDL_Event &event)
+{
+    const int code = key_of(event.key.keysym.sym);
+    if (event.key.repeat != 0) return;
+    if (code == 'Q' && (event.key.keysym.mod & KMOD_CTRL) != 0) closed_ = true;
+    queue_.push({Event::Kind::key, 0, 0, code, event.type == SDL_KEYDOWN});
 }
 
 bool SdlWindow::next(Input &input)
 {
     const Sdl &s = sdl();
-    now_.wheel = 0;
-    now_.text.clear();
-    changed_keys_.reset();
-    for (bool &changed : changed_buttons_) changed = false;
     s.GL_GetDrawableSize(window_, &now_.width, &now_.height);
-    for (SDL_Event event; s.PollEvent(&event) != 0;) waiting_.push_back(event);
-    while (!waiting_.empty() && take(waiting_.front())) waiting_.pop_front();
+    for (SDL_Event event; s.PollEvent(&event) != 0;) take(event);
+    queue_.next(now_);
     const SDL_Keymod held = s.GetModState();
     now_.shift = (held & KMOD_SHIFT) != 0;
     now_.control = (held & KMOD_CTRL) != 0;

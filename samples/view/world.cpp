@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace view
 {
@@ -9,6 +10,7 @@ namespace
 {
 
 constexpr float third = 3;
+constexpr unsigned context_is_lost = 0x0507;  // GL_CONTEXT_LOST of KHR_robustness
 
 scenes::CrowdOptions with(scenes::CrowdOptions options, const Switches &switches)
 {
@@ -29,15 +31,39 @@ bool makes_anew(const Switches &a, const Switches &b)
            a.threads != b.threads;
 }
 
+// Frames and switches of the last ten seconds.
+void remember(Model &model)
+{
+    model.cost.at_s = model.real_s;
+    model.history.push_back(model.cost);
+    const double first_s = model.real_s - history_s;
+    while (model.history.front().at_s < first_s) model.history.pop_front();
+    while (!model.switched.empty() && model.switched.front().at_s < first_s) model.switched.pop_front();
+}
+
 }  // namespace
 
-World::World(Surface &surface, Open open, const Switches &switches, Now now)
+Loaded load(const Open &open, const Switches &switches, uint32_t people)
+{
+    Loaded loaded;
+    loaded.library = std::make_unique<scenes::Library>(switches.threads);
+    loaded.opened = open(*loaded.library);
+    const scenes::SceneOptions &options = loaded.opened.options;
+    scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
+    if (people > 0) crowd_options.count = people;
+    loaded.scene = options.make ? options.make(*loaded.library, crowd_options)
+                                : scenes::make_scene(options.scene, *loaded.library, crowd_options, options.character);
+    if (loaded.opened.dress) loaded.opened.dress(*loaded.library, *loaded.scene);
+    return loaded;
+}
+
+World::World(Surface &surface, Open open, Loaded loaded, const Switches &switches, Now now)
     : surface_(surface), open_(std::move(open)), now_(now)
 {
     std::string missing;
     if (!scenes::load(gl_, surface.get_proc_address(), surface.user(), missing))
         throw scenes::Failure("this OpenGL context lacks " + missing);
-    make(switches);
+    show(std::move(loaded), switches);
 }
 
 World::~World() { unmake(); }
@@ -61,20 +87,48 @@ void World::unmake()
 void World::make(const Switches &switches)
 {
     unmake();
-    library_ = std::make_unique<scenes::Library>(switches.threads);
-    opened_ = open_(*library_);
-    const scenes::SceneOptions &options = opened_.options;
-    scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
-    if (people_ > 0) crowd_options.count = people_;
-    scene_ = options.make ? options.make(*library_, crowd_options)
-                          : scenes::make_scene(options.scene, *library_, crowd_options, options.character);
+    show(load(open_, switches, people_), switches);
+}
+
+void World::open(const Open &open)
+{
+    const Open before = std::exchange(open_, open);
+    try {
+        make(made_);
+    } catch (const scenes::Failure &) {
+        open_ = before;
+        make(made_);
+        throw;
+    }
+}
+
+void World::renew()
+{
+    unmake();
+    surface_.renew();
+    std::string missing;
+    if (!scenes::load(gl_, surface_.get_proc_address(), surface_.user(), missing))
+        throw scenes::Failure("this OpenGL context lacks " + missing);
+    context_lost_ = false;
+    make(made_);
+}
+
+void World::show(Loaded loaded, const Switches &switches)
+{
+    library_ = std::move(loaded.library);
+    opened_ = std::move(loaded.opened);
+    scene_ = std::move(loaded.scene);
+    get_error_ = reinterpret_cast<unsigned (*)()>(surface_.get_proc_address()(surface_.user(), "glGetError"));
     scene_->prepare(gl_);
     templates_ = scene_->templates();
-    path_ = options.path;
+    path_ = opened_.options.path;
     clq_view *view = nullptr;
     scenes::check(clq_view_create(scene_->crowd(), &view));
     view_.reset(view);
     scenes::check(clq_scene_create(scene_->crowd(), &index_));
+    if (now_)
+        scenes::check(clq_crowd_set_step_clock(
+            scene_->crowd(), [](void *now) { return (*static_cast<Now *>(now))(); }, &now_));
     made_ = switches;
     use_strategy(switches.strategy);
 }
@@ -184,8 +238,9 @@ void World::frame(Model &model, int width, int height, int below)
     scenes::check(clq_crowd_get_stats(scene_->crowd(), &cost.crowd));
     cost.seen = clq_view_stats_init();
     scenes::check(clq_view_get_stats(view_.get(), &cost.seen));
-    model.history.push_back(cost);
-    while (model.history.size() > history_frames) model.history.pop_front();
+    cost.steps = clq_update_times_init();
+    scenes::check(clq_crowd_get_update_times(scene_->crowd(), &cost.steps));
+    remember(model);
 }
 
 void World::draw(Model &model)
@@ -203,6 +258,7 @@ void World::draw(Model &model)
     scenes::check(clq_renderer_draw(renderer_, view_.get(), &model.cost.drawn));
     if (now_) gl_.Finish();
     model.cost.crowd_ms = ms_since(start);
+    context_lost_ = get_error_ && get_error_() == context_is_lost;
     if (model.spheres) scenes::draw_spheres(gl_, eye_, scene_->crowd(), everyone());
 }
 

@@ -21,22 +21,40 @@ struct Opened {
     scenes::SceneOptions options;
     std::shared_ptr<void> keeps;
     double first_s = 0, last_s = 60;
+    std::function<void(scenes::Library &, const scenes::Scene &)> dress;  // the people, before they are shown
 };
 using Open = std::function<Opened(scenes::Library &)>;
 using Now = double (*)();  // seconds; null: costs are not measured
 
+// A scene that needs no GL yet, so that another thread than that of the window can make it.
+struct Loaded {
+    std::unique_ptr<scenes::Library> library;
+    Opened opened;
+    std::unique_ptr<scenes::Scene> scene;
+};
+// `people`: their number; 0: the scene's own. Throws scenes::Failure.
+Loaded load(const Open &open, const Switches &switches, uint32_t people = 0);
+
 class World
 {
 public:
-    // Throws scenes::Failure.
-    World(Surface &surface, Open open, const Switches &switches, Now now);
+    // `loaded`: by `open`, with the same switches. Throws scenes::Failure.
+    World(Surface &surface, Open open, Loaded loaded, const Switches &switches, Now now);
     ~World();
     World(const World &) = delete;
     World &operator=(const World &) = delete;
 
+    // Shows something else from now on. Throws scenes::Failure; what was shown is then there again.
+    void open(const Open &open);
+    // The surface's context is lost: shows the same in another. Throws scenes::Failure.
+    void renew();
+    // Whether GL said so in the last frame.
+    bool context_lost() const { return context_lost_; }
     // Does what the model wishes, then updates and draws everything but the interface.
     // The picture is the lower left corner of the surface but for `below` lines under it.
     void frame(Model &model, int width, int height, int below);
+
+    void finish() const { gl_.Finish(); }  // waits for GL
 
     clq_crowd *crowd() const { return scene_->crowd(); }
     clq_context *context() const { return library_->context(); }
@@ -68,6 +86,7 @@ private:
     bool drawn(clq_actor actor, uint32_t &index, clq_drawn_actor &out) const;
     void make(const Switches &switches);
     bool count_people(uint32_t wanted);
+    void show(Loaded loaded, const Switches &switches);
     void unmake();
     void use_strategy(int strategy);
     void follow(Model &model);
@@ -98,6 +117,8 @@ private:
     clq_camera camera_ = {};
     scenes::Eye eye_ = {};
     double time_s_ = 0;
+    unsigned (*get_error_)() = nullptr;  // glGetError
+    bool context_lost_ = false;
     int width_ = 1, height_ = 1, below_ = 0;
     std::map<uint32_t, std::vector<float>> dofs_;  // of the model, for the mechanism
     std::map<uint32_t, clq_actor> handled_;        // whose joints are set by hand

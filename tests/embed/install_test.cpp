@@ -56,6 +56,12 @@ TEST_F(Install, BringsEveryHeaderAndEachLibrary)
                   std::string::npos);
     }
     EXPECT_EQ(text_of_file(prefix() + "/share/man/man1/claque.1"), text_of_file(CLAQUE_BUILD_DIR "/samples/claque.1"));
+#ifdef CLAQUE_HAS_WINDOW
+    const std::string entry = text_of_file(prefix() + "/share/applications/claque.desktop");
+    EXPECT_NE(entry.find("\nExec=claque view %f\n"), std::string::npos) << entry;
+    EXPECT_NE(entry.find("\nIcon=claque\n"), std::string::npos) << entry;
+    EXPECT_EQ(text_of_file(prefix() + "/share/icons/hicolor/256x256/apps/claque.png").substr(1, 3), "PNG");
+#endif
     EXPECT_EQ(printed("LD_LIBRARY_PATH='" + prefix() + "/lib' '" + prefix() + "/bin/claque' --version"),
               "claque " CLAQUE_VERSION "\n");
 }

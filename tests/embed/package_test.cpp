@@ -55,6 +55,10 @@ TEST(Package, IsFiveThatUnpackedTogetherRun)
     EXPECT_EQ(ran, 0) << said;
     EXPECT_NE(said.find("citizen"), std::string::npos) << said;
     EXPECT_EQ(home.run("ls root/usr/share/man/man1 root/usr/include/claque/claque.h").first, 0);
+#ifdef CLAQUE_HAS_WINDOW
+    EXPECT_EQ(home.run("ls root/usr/share/applications/claque.desktop").first, 0);
+    EXPECT_EQ(home.run("ls root/usr/share/icons/hicolor/256x256/apps/claque.png").first, 0);
+#endif
 }
 
 }  // namespace

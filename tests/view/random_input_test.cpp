@@ -10,11 +10,14 @@ namespace
 using view_test::Staged;
 
 // CLAQUE_VIEW_EVENTS: how many, in place of a number that takes seconds.
-int event_count()
+int number_from(const char *variable, int otherwise)
 {
-    const char *text = std::getenv("CLAQUE_VIEW_EVENTS");
-    return text ? std::atoi(text) : 400;
+    const char *text = std::getenv(variable);
+    return text ? std::atoi(text) : otherwise;
 }
+int event_count() { return number_from("CLAQUE_VIEW_EVENTS", 400); }
+// CLAQUE_VIEW_SIDE: of the largest window, in place of one that is drawn quickly.
+int most_side() { return number_from("CLAQUE_VIEW_SIDE", 1024); }
 
 class RandomInput : public Staged
 {
@@ -23,12 +26,13 @@ class RandomInput : public Staged
 TEST_F(RandomInput, EndsNothing)
 {
     constexpr int side = 400;
-    view::Session &s = open({"parade", 4, side, side});
+    const int most = most_side(), sizes[][2] = {{most, most}, {1, 1}, {most, 1}, {1, most}, {side, side / 2}};
+    view::Session &s = open({"parade", 4, most, most});
     std::mt19937 random(7);
     const auto below = [&](int limit) { return static_cast<int>(random() % static_cast<unsigned>(limit)); };
     view::Input input;
     input.width = input.height = side;
-    int frames = 0;
+    int frames = 0, resized = 0, lost = 0;
     for (int event = 0; event < event_count(); ++event, ++frames) {
         input.wheel = 0;
         input.text.clear();
@@ -60,8 +64,20 @@ TEST_F(RandomInput, EndsNothing)
                 input.mouse_x = static_cast<float>(below(2 * side) - side / 2);
                 input.mouse_y = static_cast<float>(below(2 * side) - side / 2);
         }
+        // Twenty times a size that no person chooses, for a frame; then one that does not take long.
+        const int part = std::max(1, event_count() / 20);
+        if (event % part == 0) {
+            const int *size = sizes[resized++ % 5];
+            input.width = size[0], input.height = size[1];
+        } else if (event % part == 1) input.width = input.height = side;
         ASSERT_NO_THROW(s.frame(input)) << "event " << event;
+        if (event % (5 * part) == 3) {
+            ASSERT_NO_THROW(s.renew()) << "event " << event;
+            ++lost;
+        }
     }
+    EXPECT_GE(resized, 20);
+    EXPECT_GE(lost, 4);
     EXPECT_EQ(frames, event_count());
     EXPECT_EQ(clq_crowd_get_actor_count(s.world().crowd()), 4u);
 }

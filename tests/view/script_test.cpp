@@ -21,8 +21,8 @@ TEST(Script, RefusesWhatIsNoStepWithItsNumberAndTheRule)
 {
     EXPECT_EQ(refusal("steps = ['wait 1', 'jump 3']"),
               "clicks.toml: step 2, 'jump 3': there is no step 'jump'; there are: click, drag, type, key, wheel, wait, "
-              "size, see, shot");
-    EXPECT_EQ(refusal("steps = ['wait']"), "clicks.toml: step 1, 'wait': the step has the form: wait SECONDS");
+              "size, drop, see, shot");
+    EXPECT_EQ(refusal("steps = ['wait']"), "clicks.toml: step 1, 'wait': the step has the form: wait SECONDS [FRAMES]");
     EXPECT_EQ(refusal("steps = ['click \"pause']"),
               "clicks.toml: step 1, 'click \"pause': a quotation mark is not closed");
     EXPECT_EQ(refusal("steps = ['']"), "clicks.toml: step 1, '': the step is empty");

@@ -16,6 +16,7 @@ const std::vector<std::string> &names_of_widgets()
                                                    "back",
                                                    "step",
                                                    "picture",
+                                                   "film",
                                                    "panels",
                                                    "speed",
                                                    "time",

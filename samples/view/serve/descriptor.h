@@ -1,0 +1,33 @@
+// A file descriptor that is closed at its end.
+#pragma once
+
+#include <unistd.h>
+#include <utility>
+
+namespace view::serve
+{
+
+class Descriptor
+{
+public:
+    explicit Descriptor(int number = -1) : number_(number) {}
+    Descriptor(Descriptor &&other) noexcept : number_(std::exchange(other.number_, -1)) {}
+    Descriptor &operator=(Descriptor &&other) noexcept
+    {
+        std::swap(number_, other.number_);
+        return *this;
+    }
+    ~Descriptor() { reset(); }
+
+    int number() const { return number_; }
+    void reset()
+    {
+        if (number_ >= 0) close(number_);
+        number_ = -1;
+    }
+
+private:
+    int number_;
+};
+
+}  // namespace view::serve
