@@ -26,6 +26,10 @@ void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
     c.add_option("--at", a->at_s, "Seconds at which --save writes it (default: at the end)")
         ->check(CLI::Range(0.0, 86400.0))
         ->needs(save);
+    c.add_option("--commands", a->commands,
+                 "Obey the lines of this file while the run goes: step, to, go, pause, save, restore, send, end "
+                 "(docs/stage.md); - is standard input")
+        ->type_name("FILE");
     c.add_option("--json", a->json, "Write what was decided and shown as JSON; - is standard output");
 }
 

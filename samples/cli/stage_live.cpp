@@ -60,9 +60,77 @@ private:
     Json taken_ = Json::array(), refused_ = Json::array();
 };
 
+// The time of the run: the machine's, but for pauses, steps and states that are restored.
+class Pace
+{
+public:
+    Pace(const StageArguments &a, StageCommands *commands, double begin_s)
+        : arguments_(a), commands_(commands), offset_s_(begin_s)
+    {
+    }
+
+    double clock_s() const { return clock_.ms() / 1000; }
+    double now_s() const { return clock_s() + offset_s_; }
+    double offset_s() const { return offset_s_; }
+
+    // Obeys what has come; in a pause waits for more. False: the run ends.
+    bool obey(OpenRun &run)
+    {
+        if (!commands_) return true;
+        bool pauses = false;
+        double since_s = now_s();
+        for (;;) {
+            std::optional<StageCommand> command;
+            try {
+                command = pauses ? commands_->wait() : commands_->poll();
+                if (!command) break;
+                if (command->kind == StageCommand::Kind::end) return false;
+                if (!pauses) since_s = now_s();
+                pauses = take(run, *command, pauses, since_s);
+            } catch (const scenes::Failure &failure) {
+                std::cerr << "claque: " << failure.what() << ". The run goes on as it was.\n";
+                continue;
+            }
+            if (pauses) offset_s_ += since_s - now_s();
+        }
+        if (pauses) offset_s_ += since_s - now_s();
+        return true;
+    }
+
+private:
+    // Whether the clock stands still afterwards, at since_s.
+    bool take(OpenRun &run, const StageCommand &command, bool pauses, double &since_s)
+    {
+        using Kind = StageCommand::Kind;
+        if (command.kind == Kind::save) save_to(command.text, *run.scene);
+        if (command.kind == Kind::send) run.scene->run().send_all(command.text, command.number);
+        if (command.kind == Kind::restore) {
+            restore_from(command.text, *run.scene);
+            since_s = run.scene->run().shown_s();
+            offset_s_ += since_s - now_s();
+        }
+        if (command.kind == Kind::step || command.kind == Kind::to) {
+            since_s = command.kind == Kind::to ? std::max(since_s, command.number)
+                                               : since_s + command.number / arguments_.fps;
+            since_s = std::min(since_s, arguments_.seconds);
+            run.show(since_s);
+            return true;
+        }
+        if (command.kind == Kind::pause) return true;
+        if (command.kind == Kind::go && pauses) offset_s_ += since_s - now_s();
+        return pauses && command.kind != Kind::go;
+    }
+
+    const StageArguments &arguments_;
+    StageCommands *commands_;
+    double offset_s_;
+    const Stopwatch clock_;
+};
+
 }  // namespace
 
-Json show_live(scenes::Library &library, const StageArguments &a, std::unique_ptr<OpenRun> &run, bool is_watched)
+Json show_live(scenes::Library &library, const StageArguments &a, std::unique_ptr<OpenRun> &run, bool is_watched,
+               StageCommands *commands)
 {
     std::optional<Watch> watch;
     if (is_watched) watch.emplace(library, a);
@@ -71,23 +139,23 @@ Json show_live(scenes::Library &library, const StageArguments &a, std::unique_pt
     run->show(begin_s);
     run->scene->rest();
     Times frames, kept, behind;
-    const Stopwatch clock;
+    Pace pace(a, commands, begin_s);
     double looked_s = 0;
-    for (int64_t frame = 1;;) {
+    for (int64_t frame = 1; pace.obey(*run);) {
         const double due_s = static_cast<double>(frame) / a.fps;
-        if (begin_s + due_s > a.seconds) break;
-        const double wait_s = due_s - clock.ms() / 1000;
+        if (due_s + pace.offset_s() > a.seconds) break;
+        const double wait_s = due_s - pace.clock_s();
         if (wait_s > 0) std::this_thread::sleep_for(std::chrono::duration<double>(wait_s));
         const Stopwatch drawing;
-        const double now_s = clock.ms() / 1000;
-        run->show(begin_s + now_s);
+        const double clock_s = pace.clock_s(), now_s = pace.now_s();
+        run->show(now_s);
         frames.ms.push_back(drawing.ms());
         kept.ms.push_back(run->scene->kept_s() * 1000);
         behind.ms.push_back(run->scene->behind_s() * 1000);
-        if (watch && now_s - looked_s > 0.25) watch->look(begin_s + now_s, run), looked_s = now_s;
-        frame = std::max(frame + 1, static_cast<int64_t>(clock.ms() / 1000 * a.fps));
+        if (watch && clock_s - looked_s > 0.25) watch->look(now_s, run), looked_s = clock_s;
+        frame = std::max(frame + 1, static_cast<int64_t>(pace.clock_s() * a.fps));
     }
-    const double seconds = clock.ms() / 1000;
+    const double seconds = pace.clock_s();
     return {{"frames", frames.ms.size()},
             {"frames_per_s", static_cast<double>(frames.ms.size()) / seconds},
             {"frame_ms", summary(frames)},

@@ -30,17 +30,10 @@ bool is_drawn(const StageArguments &a, int frame)
            (frame - a.range.first) % a.range.stride == 0;
 }
 
-// The frame of the time at which the state was saved.
-int restore(const StageArguments &a, staged::StagedScene &scene)
+// The frame of the time that is shown.
+int frame_of(const StageArguments &a, staged::StagedScene &scene)
 {
-    scenes::asked_at(a.restore, [&] { scene.restore(read_file(a.restore)); });
     return std::max(0, static_cast<int>(scene.run().shown_s() * a.fps + 0.5));
-}
-
-void save(const StageArguments &a, staged::StagedScene &scene)
-{
-    const std::vector<uint8_t> bytes = scene.save();
-    write_whole(a.save, bytes.data(), bytes.size());
 }
 
 Json report_of(const StageArguments &a, staged::Run &run, int frames)
@@ -78,30 +71,67 @@ Json report_of(const StageArguments &a, staged::Run &run, int frames)
             {"hash", hex(info.hash)}};
 }
 
-// All frames from one on. Returns their number.
-int show_all(const StageArguments &a, OpenRun &run, int first, Progress &progress)
+void show_frame(const StageArguments &a, OpenRun &run, int frame)
 {
     constexpr int frames_between_releases = 250;
-    clq_crowd *crowd = run.scene->crowd();
+    const double time_s = frame / a.fps;
+    if (is_drawn(a, frame)) {
+        run.renderer->update(time_s);
+        write_picture(a, *run.renderer, frame);
+    } else {
+        run.scene->place(time_s);
+        scenes::check(clq_crowd_update(run.scene->crowd(), time_s, nullptr, 0));
+    }
+    if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(run.scene->crowd(), nullptr));
+}
+
+// Obeys the next command before a frame is shown. Returns the last frame that is to be shown without asking again.
+int obey(const StageArguments &a, OpenRun &run, const std::optional<StageCommand> &command, int &frame, int last)
+{
+    using Kind = StageCommand::Kind;
+    const Kind kind = command ? command->kind : Kind::go;
+    if (kind == Kind::step) return static_cast<int>(std::min<double>(last, frame - 1 + command->number));
+    if (kind == Kind::to) return static_cast<int>(std::min<double>(last, command->number * a.fps + 1e-9));
+    if (kind == Kind::go) return last;
+    if (kind == Kind::save) save_to(command->text, *run.scene);
+    if (kind == Kind::restore) restore_from(command->text, *run.scene), frame = frame_of(a, *run.scene);
+    if (kind == Kind::send) run.scene->run().send_all(command->text, command->number);
+    return frame - 1;
+}
+
+// All frames from one on. Returns their number.
+int show_all(const StageArguments &a, OpenRun &run, int first, Progress &progress, StageCommands *commands)
+{
     const int last = static_cast<int>(a.seconds * a.fps + 1e-9);
     const int saved = a.at_s < 0 ? last : static_cast<int>(a.at_s * a.fps + 1e-9);
-    for (int frame = first; frame <= last; ++frame) {
-        const double time_s = frame / a.fps;
-        if (is_drawn(a, frame)) {
-            run.renderer->update(time_s);
-            write_picture(a, *run.renderer, frame);
-        } else {
-            run.scene->place(time_s);
-            scenes::check(clq_crowd_update(crowd, time_s, nullptr, 0));
+    int shown = 0;
+    for (int frame = first, goal = commands ? first - 1 : last; frame <= last;) {
+        if (frame > goal) {
+            const std::optional<StageCommand> command = commands->wait();
+            if (command && command->kind == StageCommand::Kind::end) break;
+            goal = obey(a, run, command, frame, last);
+            continue;
         }
-        if (frame % frames_between_releases == 0) scenes::check(clq_crowd_release_tracks(crowd, nullptr));
-        if (!a.save.empty() && frame == saved) save(a, *run.scene);
-        progress.step(static_cast<size_t>(frame - first) + 1, static_cast<size_t>(last - first) + 1);
+        show_frame(a, run, frame);
+        if (!a.save.empty() && frame == saved) save_to(a.save, *run.scene);
+        ++shown, ++frame;
+        progress.step(static_cast<size_t>(frame - first), static_cast<size_t>(std::max(last, frame) + 1 - first));
     }
-    return std::max(0, last + 1 - first);
+    return shown;
 }
 
 }  // namespace
+
+void restore_from(const std::string &file, staged::StagedScene &scene)
+{
+    scenes::asked_at(file, [&] { scene.restore(read_file(file)); });
+}
+
+void save_to(const std::string &file, staged::StagedScene &scene)
+{
+    const std::vector<uint8_t> bytes = scene.save();
+    write_whole(file, bytes.data(), bytes.size());
+}
 
 staged::StageOptions stage_options(const StageArguments &a)
 {
@@ -155,12 +185,17 @@ void run_stage(const StageArguments &a)
     scenes::Library library(thread_count(a.setup));
     auto open = std::make_unique<OpenRun>(library, a);
     std::optional<RunRecord> record;
-    const int first = a.restore.empty() ? 0 : restore(a, *open->scene);
+    std::optional<StageCommands> commands;
+    if (!a.commands.empty()) commands.emplace(a.commands);
+    if (!a.restore.empty()) restore_from(a.restore, *open->scene);
+    const int first = a.restore.empty() ? 0 : frame_of(a, *open->scene);
     if (!a.record.empty()) record.emplace(a.record), record->begin(open->scene->crowd());
     Json times;
     int frames = 0;
-    if (a.live) times = show_live(library, a, open, !record), frames = times["frames"].get<int>();
-    else frames = show_all(a, *open, first, progress);
+    if (a.live)
+        times = show_live(library, a, open, !record, commands ? &*commands : nullptr),
+        frames = times["frames"].get<int>();
+    else frames = show_all(a, *open, first, progress, commands ? &*commands : nullptr);
     open->scene->rest();
     Json report = report_of(a, open->scene->run(), frames);
     if (record) {

@@ -6,6 +6,7 @@
 #include "samples/cli/render_work.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/sequence.h"
+#include "samples/cli/stage_commands.h"
 #include "samples/stage/staged_scene.h"
 
 namespace cli
@@ -13,7 +14,7 @@ namespace cli
 
 struct StageArguments {
     SceneArguments setup;
-    std::string record, frames, out, json, save, restore;
+    std::string record, frames, out, json, save, restore, commands;
     FrameRange range;
     double seconds = 0, fps = 25;  // 0: as the scenario says
     double at_s = -1;              // at which `save` is written; below 0: at the end
@@ -42,9 +43,13 @@ private:
 
 staged::StageOptions stage_options(const StageArguments &arguments);
 
+// The state of a run in a file. Restoring throws Failure with the file's name.
+void save_to(const std::string &file, staged::StagedScene &scene);
+void restore_from(const std::string &file, staged::StagedScene &scene);
+
 // Shows the run at the pace of the machine's clock, and takes over its file when that changes. The report has the
 // times.
 Json show_live(scenes::Library &library, const StageArguments &arguments, std::unique_ptr<OpenRun> &run,
-               bool is_watched);
+               bool is_watched, StageCommands *commands);
 
 }  // namespace cli

@@ -27,9 +27,6 @@ constexpr uint32_t tries_at_once = 400, tries_in_a_tick = 8;
     throw Failure(of.at + ": " + text);
 }
 
-// In the first tick that is not decided yet while a time is shown.
-double heard_after_s(const Staging &stage) { return std::max(stage.lead_s, 2 * stage.tick_s) + stage.tick_s / 2; }
-
 double clock_s(void *)
 {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -42,6 +39,8 @@ void work_for(double seconds)
 }
 
 }  // namespace
+
+double heard_after_s(const Staging &stage) { return std::max(stage.lead_s, 2 * stage.tick_s) + stage.tick_s / 2; }
 
 Run::Run(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, const Setting &setting,
          const RunOptions &options)

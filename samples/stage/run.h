@@ -29,6 +29,10 @@ struct RunCounts {
     uint64_t refused = 0, late = 0;  // of these
 };
 
+// What comes from outside while a time is shown is heard so long afterwards: in the first tick that cannot be decided
+// yet.
+double heard_after_s(const scenes::Staging &stage);
+
 class Run
 {
 public:
@@ -81,6 +85,8 @@ public:
     std::array<double, 3> place_of(uint32_t person) const;
     // An event for one person in the next tick, with a place: `go = "sender"` leads there.
     void send(uint32_t person, const char *event, const double position[3], double value = 0);
+    // In the flow that draws: an event for all, after the lead. Throws Failure where no machine has it.
+    void send_all(const std::string &event, double value);
     void remove(uint32_t person);
     void set_door(uint32_t door, bool open, double at_s);
 

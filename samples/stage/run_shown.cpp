@@ -57,6 +57,14 @@ void Run::look(double time_s, const std::function<void(double)> &reach)
     }
 }
 
+void Run::send_all(const std::string &event, double value)
+{
+    clq_stage_event made = clq_stage_event_init();
+    made.name = event.c_str(), made.value = value;
+    made.at_s = std::max(shown_s_, begin_s) + heard_after_s(described_);
+    check(clq_stage_send(stage_.get(), &made), "the event '" + event + "'");
+}
+
 RunCounts Run::counts() const
 {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -108,6 +108,60 @@ TEST_F(StageCommand, GoesOnFromAStateAsItWouldHaveGoneOn)
     EXPECT_NE(other.err.find("state: "), std::string::npos) << other.err;
 }
 
+TEST_F(StageCommand, IsLedByCommandsThatSaveAndRestore)
+{
+    const Json whole = run({});
+    std::ofstream(path("lines")) << "# ten seconds, and ten more that are taken back\nstep 50\nstep\n\nsave "
+                                 << path("state") << "\nto 20\nrestore " << path("state") << "\ngo\n";
+    const Json led = run({"--commands", path("lines")});
+    EXPECT_EQ(led["hash"], whole["hash"]);
+    EXPECT_EQ(led["left"], 24);
+    EXPECT_EQ(led["frames"], 101 + 376 - 50);
+    std::ofstream(path("lines")) << "to 4\nend\n";
+    const Json ended = run({"--commands", path("lines")});
+    EXPECT_EQ(ended["frames"], 21);
+}
+
+TEST_F(StageCommand, IsToldOfEventsByCommands)
+{
+    EXPECT_EQ(run({"--seconds", "11"})["left"], 0) << "the alarm comes later";
+    std::ofstream(path("lines")) << "to 1\nsend alarm\n";
+    const Json apart = run({"--seconds", "11", "--commands", path("lines")});
+    EXPECT_GT(apart["left"], 0);
+    EXPECT_EQ(apart["late_messages"], 0);
+    EXPECT_EQ(run({"--seconds", "11", "--in-turn", "--commands", path("lines")})["hash"], apart["hash"]);
+}
+
+TEST_F(StageCommand, RefusesLinesThatAreNoCommandsByNumber)
+{
+    const auto refused = [&](const std::string &line, const std::string &says) {
+        std::ofstream(path("lines")) << "step\n" << line;
+        const Outcome done = claque({"stage", path("hall.toml"), "--fps", "5", "--commands", path("lines")});
+        EXPECT_EQ(done.code, 1) << line;
+        EXPECT_NE(done.err.find(says), std::string::npos) << done.err;
+    };
+    refused("jump 5\n", "lines, line 2: 'jump' is no command; known are step");
+    refused("save", "line 2: 'save' needs a name");
+    refused("to nowhere", "line 2: 'to' needs a number");
+    refused("step 0", "'step' needs a number of frames from 1");
+    refused("go now", "there is 'now' behind 'go'");
+    refused("send dinner", "the event 'dinner'");
+    refused("restore " + path("nothing"), "nothing: ");
+}
+
+TEST_F(StageCommand, PausesStepsAndSavesLive)
+{
+    std::ofstream(path("lines")) << "pause\nstep 5\nstep 5\njump\nsave " << path("state") << "\nend\n";
+    const Outcome done = claque({"stage", path("hall.toml"), "--fps", "5", "--live", "--commands", path("lines")});
+    EXPECT_EQ(done.code, 0);
+    EXPECT_NE(done.err.find("line 4: 'jump' is no command"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("The run goes on as it was."), std::string::npos) << done.err;
+    std::ofstream(path("lines")) << "end\n";
+    const Json on = run({"--live", "--restore", path("state"), "--commands", path("lines")});
+    EXPECT_NEAR(on["decided_s"].get<double>(), 2 + 1, 0.5)
+        << "the state is that of two seconds, and decisions are ahead";
+}
+
 TEST_F(StageCommand, GoesLiveAndRecordsWhatHappened)
 {
     for (const char *flow : {"--apart", "--in-turn"}) {
