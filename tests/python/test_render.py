@@ -70,6 +70,10 @@ def test_the_parity_example_reports_the_distance(tmp_path):
     assert "vertices within 0.00" in run_example("parity.py", tmp_path)
 
 
+def test_the_rehearsal_tries_two_endings(tmp_path):
+    assert "applaud after 5 s" in run_example("rehearsal.py", tmp_path)
+
+
 @drawing
 def test_the_procession_leaves_its_picture(tmp_path):
     assert "in view" in run_example("procession.py", tmp_path)
