@@ -103,6 +103,7 @@ bench: build
 	$(BUILD)/tests/bench/claque_impostor_bench
 	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_stage_bench
+	$(BUILD)/tests/bench/claque_neighbours_bench
 	$(BUILD)/tests/bench/claque_scene_bench
 	$(BUILD)/tests/bench/claque_record_bench
 	@mkdir -p out
