@@ -7,7 +7,7 @@ set -eu
 packages='
 g++ cmake ninja-build make git pkg-config
 libglm-dev libopenmesh-dev nlohmann-json3-dev libstb-dev
-libtbb-dev libcli11-dev libpng-dev libtomlplusplus-dev
+libtbb-dev libcli11-dev libpng-dev libmd-dev libtomlplusplus-dev
 libcairo2-dev fonts-dejavu-core
 libosmesa6 libegl1 libgl1-mesa-dri
 '

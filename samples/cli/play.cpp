@@ -22,7 +22,7 @@ namespace
 void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
 {
     scenes::Library library(1);
-    a.whole_path = false;
+    a.whole_path = false, a.list.clear();
     if (scenes::walkers::is_record(tracks.file)) {
         const scenes::walkers::RecordFile file(library, tracks.file);
         constexpr double most = 999999999;

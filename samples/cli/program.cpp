@@ -1,11 +1,13 @@
 #include "samples/cli/program.h"
 
 #include <cstdio>
+#include <cstdlib>
 #include <iostream>
 #include <new>
 
 #include <CLI/CLI.hpp>
 
+#include "samples/cli/provenance.h"
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
@@ -44,6 +46,8 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     app.set_version_flag("--version", version);
     app.require_subcommand(1);
     app.failure_message(CLI::FailureMessage::simple);
+    // A scheduler's job is one of as many as there are cores.
+    if (is_scheduled()) setenv("LP_NUM_THREADS", "0", 0);
     Work chosen;
     for (const Add add : subcommands) add(app, chosen);
 

@@ -2,9 +2,12 @@
 #include <cmath>
 #include <optional>
 #include <unistd.h>
+#include <utility>
 
 #include "samples/cli/files.h"
+#include "samples/cli/film_about.h"
 #include "samples/cli/filtering.h"
+#include "samples/cli/manifest.h"
 #include "samples/cli/measured_rates.h"
 #include "samples/cli/png.h"
 #include "samples/cli/progress.h"
@@ -28,7 +31,11 @@ std::vector<Frame> planned(const RenderArguments &a, const scenes::SceneOptions 
     std::vector<Frame> frames;
     FrameRange range = a.range;
     if (a.whole_path) range.last = static_cast<int>(options.path->end_s() * a.fps);
-    for (int number : frames_of(range)) frames.push_back({number, number / a.fps, frame_path(a.out, number)});
+    std::vector<int> numbers;
+    for (size_t i = 0; i < a.list.size(); i += static_cast<size_t>(a.range.stride)) numbers.push_back(a.list[i]);
+    if (a.list.empty()) numbers = frames_of(range);
+    for (int number : chunk_of(numbers, a.chunk, a.chunk_count))
+        frames.push_back({number, number / a.fps, frame_path(a.out, number)});
     return frames;
 }
 
@@ -130,31 +137,45 @@ void render(const RenderArguments &a)
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
 
+    if (!a.manifest.empty()) expect_writable(a.manifest);
+
     scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
     scenes::SceneOptions options = scene_options(a.setup, loaded);
-    std::vector<Frame> frames;
+    std::optional<scenes::SceneRenderer> scene_renderer;
+    std::optional<Manifest> manifest;
     Json report = about(a, options);
+    const auto prepare = [&] {
+        progress.phase("preparing");
+        if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
+        options = scene_options(a.setup, loaded);
+        scene_renderer.emplace(library, options);
+        report["count"] = scene_renderer->crowd_stats().actor_count;
+        report["context"] = scene_renderer->context_name();
+    };
+    std::vector<Frame> frames = planned(a, options);
+    if (!a.manifest.empty()) {
+        std::vector<int> numbers;
+        for (const Frame &frame : frames) numbers.push_back(frame.number);
+        prepare();
+        manifest.emplace(a.manifest, film_about(a, options, scene_renderer->context_name()), numbers);
+    }
+    const auto is_done = [&](const Frame &frame) {
+        return manifest ? !a.again && manifest->has(frame.number, frame.path) : finished(a, options, frame);
+    };
     report["skipped"] = Json::array();
-    for (Frame &frame : planned(a, options)) {
-        if (finished(a, options, frame)) report["skipped"].push_back(frame.number);
-        else frames.push_back(std::move(frame));
+    for (const Frame &frame : std::exchange(frames, {})) {
+        if (is_done(frame)) report["skipped"].push_back(frame.number);
+        else frames.push_back(frame);
     }
 
     SceneColours wardrobe(library, a.colours, options.crowd_options.seed);
-    std::optional<scenes::SceneRenderer> scene_renderer;
     report["frames"] = Json::array();
     for (size_t i = 0; i < frames.size(); ++i) {
-        if (!scene_renderer) {
-            progress.phase("preparing");
-            if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
-            options = scene_options(a.setup, loaded);
-            scene_renderer.emplace(library, options);
-            report["count"] = scene_renderer->crowd_stats().actor_count;
-            report["context"] = scene_renderer->context_name();
-        }
+        if (!scene_renderer) prepare();
         wardrobe.apply_to(*scene_renderer);
         report["frames"].push_back(draw(*scene_renderer, options, frames[i], a.samples));
+        if (manifest) manifest->add(frames[i].number, frames[i].path);
         progress.step(i + 1, frames.size());
     }
     a.drawn();

@@ -1,15 +1,33 @@
 // claque render: its options, and those that it shares with other commands that draw.
 #include <cmath>
+#include <cstdio>
 #include <unistd.h>
 
 #include "samples/cli/command.h"
+#include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
 
 namespace cli
 {
 
+namespace
+{
+
+void read_chunk(const std::string &text, RenderArguments &a)
+{
+    int read = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%n", &a.chunk, &a.chunk_count, &read) != 2 || size_t(read) != text.size() ||
+        a.chunk_count < 1 || a.chunk < 0 || a.chunk >= a.chunk_count)
+        throw CLI::ValidationError("--chunk", "'" + text + "' is not a share like 3/40, from 0/40 to 39/40");
+}
+
+}  // namespace
+
 void check_picture_usage(RenderArguments &a)
 {
+    if (!a.manifest.empty() && a.out == "-")
+        throw CLI::ValidationError("--manifest", "needs frames in files, not raw pixels");
+    if (a.portable) use_portable_drivers();
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
     read_scenario(a.setup);
@@ -19,7 +37,7 @@ void check_picture_usage(RenderArguments &a)
         a.whole_path = a.frames == "all";
         if (a.whole_path && a.setup.camera != "path")
             throw CLI::ValidationError("--frames", "all needs a camera that follows a path");
-        const std::string wrong = a.whole_path ? "" : read_range(a.frames, a.range);
+        const std::string wrong = a.whole_path ? "" : read_frames(a.frames, a.list);
         if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
         if (a.out != "-" && !is_frame_pattern(a.out))
             throw CLI::ValidationError("--out",
@@ -74,9 +92,21 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
         ->check(CLI::IsMember(shadow_names()));
     CLI::Option *time = c.add_option("--time", a->time_s, "Time of the picture in seconds")->capture_default_str();
     c.add_option("--frames", a->frames,
-                 "A sequence, first to last, or all of a camera path; frame k shows k / fps seconds")
-        ->type_name("A:B|all")
+                 "A sequence: first to last, single frames and strides, as in 0:99,120,200:240/4; or all of a camera "
+                 "path. Frame k shows k / fps seconds")
+        ->type_name("LIST|all")
         ->excludes(time);
+    c.add_option_function<std::string>(
+         "--chunk", [a](const std::string &text) { read_chunk(text, *a); },
+         "Only share K of N of the frames, from 0/N to N-1/N: one job of an array")
+        ->type_name("K/N");
+    c.add_option("--manifest", a->manifest,
+                 "Keep a list of this job's frames with their SHA-256 and what their pixels depend on, for claque "
+                 "frames check; frames that it has are not drawn again")
+        ->type_name("FILE.json");
+    c.add_flag("--portable", a->portable,
+               "Restrict Mesa to what all x86-64 processors do alike, so that jobs on different ones draw the same "
+               "pixels");
     c.add_option("--stride", a->range.stride, "Draw only every N-th frame")->check(CLI::Range(1, 1000000));
     c.add_option("--fps", a->fps, "Frames a second of a sequence")->capture_default_str();
     c.add_option("--samples", a->samples,
@@ -107,7 +137,8 @@ void add_render(CLI::App &app, Work &chosen)
         ->check(CLI::Range(1, 1000000));
     add_hide_option(*c, a->setup);
     add_picture_options(*c, a);
-    for (const char *of_sequences : {"--stride", "--fps", "--again"}) c->get_option(of_sequences)->needs("--frames");
+    for (const char *of_sequences : {"--stride", "--fps", "--again", "--chunk", "--manifest"})
+        c->get_option(of_sequences)->needs("--frames");
     add_clip_options(*c, a->clips);
     c->callback([a, &chosen] {
         check_picture_usage(*a);

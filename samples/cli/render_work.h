@@ -18,9 +18,13 @@ struct RenderArguments {
     double time_s = 2.0, fps = 25.0;
     std::string frames, out, json;
     FrameRange range;
+    std::vector<int> list;  // of --frames; empty: the range
+    int chunk = 0, chunk_count = 1;
+    std::string manifest;
+    bool portable = false;
     bool whole_path = false;  // frames up to the path's last key frame
     bool again = false;
-    uint32_t samples = 1;  // pictures that are averaged into one
+    uint32_t samples = 1;                 // pictures that are averaged into one
     std::function<void()> drawn = [] {};  // called when all frames are drawn
 };
 

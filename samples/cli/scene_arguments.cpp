@@ -3,6 +3,7 @@
 #include <thread>
 
 #include "samples/cli/files.h"
+#include "samples/cli/provenance.h"
 
 namespace cli
 {
@@ -105,7 +106,8 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
     command.add_option("--seed", a.seed, "Seed of everything random")->capture_default_str();
     command
         .add_option("--threads", a.threads,
-                    "Threads of the update, through oneTBB; may exceed the cores (default: the cores)")
+                    "Threads of the update, through oneTBB; may exceed the cores (default: the cores; 1 in a job of a "
+                    "scheduler)")
         ->check(CLI::Range(1, 256));
 }
 
@@ -116,7 +118,7 @@ CLI::IsMember scene_names()
     return CLI::IsMember(names);
 }
 
-int thread_count(const SceneArguments &a) { return a.threads > 0 ? a.threads : core_count(); }
+int thread_count(const SceneArguments &a) { return a.threads > 0 ? a.threads : is_scheduled() ? 1 : core_count(); }
 
 int core_count()
 {

@@ -1,5 +1,8 @@
 #include "samples/cli/sequence.h"
 
+#include <algorithm>
+#include <set>
+
 namespace cli
 {
 namespace
@@ -52,6 +55,42 @@ std::vector<int> frames_of(const FrameRange &range)
     for (long long frame = range.first; frame <= range.last; frame += range.stride)
         frames.push_back(static_cast<int>(frame));
     return frames;
+}
+
+std::string read_frames(const std::string &text, std::vector<int> &frames)
+{
+    constexpr size_t most_frames = 10000000;
+    std::set<int> named;
+    frames.clear();
+    for (size_t begin = 0; begin <= text.size();) {
+        const size_t end = std::min(text.find(',', begin), text.size()), slash = text.find('/', begin);
+        const std::string one = text.substr(begin, std::min(slash, end) - begin);
+        FrameRange range;
+        if (slash < end && (!read_number(text.substr(slash + 1, end - slash - 1), range.stride) || range.stride < 1))
+            return "'" + text + "': a stride is a number from 1, as in 0:99/4";
+        if (one.find(':') != std::string::npos) {
+            const std::string wrong = read_range(one, range);
+            if (!wrong.empty()) return wrong;
+        } else if (!read_number(one, range.first) || slash < end) {
+            return "'" + text + "' is not a list of frames like 0:99,120,200:240/4";
+        } else {
+            range.last = range.first;
+        }
+        if (size_t(range.last - range.first) / size_t(range.stride) + frames.size() > most_frames)
+            return "'" + text + "' has more than " + std::to_string(most_frames) + " frames";
+        for (const int frame : frames_of(range)) {
+            if (!named.insert(frame).second) return "'" + text + "' names frame " + std::to_string(frame) + " twice";
+            frames.push_back(frame);
+        }
+        begin = end + 1;
+    }
+    return {};
+}
+
+std::vector<int> chunk_of(const std::vector<int> &frames, int index, int count)
+{
+    const auto at = [&](int k) { return static_cast<ptrdiff_t>(frames.size() * size_t(k) / size_t(count)); };
+    return {frames.begin() + at(index), frames.begin() + at(index + 1)};
 }
 
 bool is_frame_pattern(const std::string &pattern) { return find_pattern(pattern).first != std::string::npos; }
