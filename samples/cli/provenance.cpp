@@ -13,7 +13,7 @@
 
 #include <sha256.h>
 
-#include "claque/base.h"
+#include "include/claque/base.h"
 #include "samples/cli/files.h"
 #include "samples/scenes/check.h"
 
