@@ -86,7 +86,8 @@ def command_faults(tree, text):
             if words[1].startswith("-"):
                 sub, rest = [], words[1:]
             elif re.fullmatch(r"[a-z]+", words[1]):
-                nested = tree.options(words[1:2]) is not None and len(words) > 2 and words[1] in ("colours", "frames", "parity")
+                words_of = ("colours", "frames", "parity")
+                nested = tree.options(words[1:2]) is not None and len(words) > 2 and words[1] in words_of
                 sub, rest = words[1:3] if nested else words[1:2], words[2:]
             else:
                 continue
