@@ -203,6 +203,13 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     if (lines_up(what)) line_up(what, library, *kept, opened);
     opened.keeps = kept;
     opened.dress = [what](scenes::Library &of, const scenes::Scene &scene) { dress(what, of, scene); };
+    opened.asset_of = [what](scenes::Library &of, const std::string &name) {
+        scenes::Own<clq_asset> asset =
+            load_asset(of, what.setup.file.empty() ? name : what.setup.file, what.setup.hidden);
+        if (!what.setup.file.empty())
+            for (const std::string &path : what.textures) add_texture(of, asset.get(), path);
+        return asset;
+    };
     if (opened.options.path) opened.last_s = std::max(60.0, opened.options.path->end_s());
     return opened;
 }

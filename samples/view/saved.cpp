@@ -23,6 +23,7 @@ void Saved::picture(Surface &surface, int below, int width, int height, const st
 void Saved::wishes(Surface &surface, const Input &input, const World &world, Model &model)
 {
     keep_designs(model.designer, world.context(), request_.folder, request_.save_text, model.message);
+    keep_zones(model.designer, request_.folder, request_.save_picture, request_.save_text, model.message);
     try {
         if (model.wishes.picture) {
             const std::string name = named(model) + ".png";

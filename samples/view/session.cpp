@@ -92,6 +92,7 @@ void Session::frame(const Input &input)
     if (designer.wishes.undo) undo(designer);
     if (designer.wishes.redo) redo(designer);
     designer.wishes.undo = designer.wishes.redo = false;
+    designer.brush.held = designer.brush.held && ui_.holds();
     const double middle = now_ ? now_() : 0;
     world_.frame(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
     const double last = now_ ? now_() : 0;

@@ -43,7 +43,7 @@ void remember(Model &model)
 
 }  // namespace
 
-Loaded load(const Open &open, const Switches &switches, uint32_t people)
+Loaded load(const Open &open, const Switches &switches, uint32_t people, const std::vector<SharedMap> &maps)
 {
     Loaded loaded;
     loaded.library = std::make_unique<scenes::Library>(switches.threads);
@@ -51,6 +51,7 @@ Loaded load(const Open &open, const Switches &switches, uint32_t people)
     const scenes::SceneOptions &options = loaded.opened.options;
     scenes::CrowdOptions crowd_options = with(options.crowd_options, switches);
     if (people > 0) crowd_options.count = people;
+    loaded.painted = paint_templates(*loaded.library, loaded.opened, crowd_options.lod, maps);
     loaded.scene = options.make ? options.make(*loaded.library, crowd_options)
                                 : scenes::make_scene(options.scene, *loaded.library, crowd_options, options.character);
     if (loaded.opened.dress) loaded.opened.dress(*loaded.library, *loaded.scene);
@@ -81,13 +82,14 @@ void World::unmake()
     scene_.reset();
     path_.reset();
     opened_ = {};
+    painted_ = {};
     library_.reset();
 }
 
 void World::make(const Switches &switches)
 {
     unmake();
-    show(load(open_, switches, people_), switches);
+    show(load(open_, switches, people_, maps_), switches);
 }
 
 void World::open(const Open &open)
@@ -117,6 +119,7 @@ void World::show(Loaded loaded, const Switches &switches)
 {
     library_ = std::move(loaded.library);
     opened_ = std::move(loaded.opened);
+    painted_ = std::move(loaded.painted);
     scene_ = std::move(loaded.scene);
     get_error_ = reinterpret_cast<unsigned (*)()>(surface_.get_proc_address()(surface_.user(), "glGetError"));
     scene_->prepare(gl_);
@@ -153,10 +156,14 @@ void World::use_strategy(int strategy)
 void World::follow(Model &model)
 {
     const bool other_number = model.designer.people != people_ && !count_people(model.designer.people);
-    const bool anew = other_number || model.wishes.anew || makes_anew(model.switches, made_);
+    if (model.designer.wishes.propose) propose(model);
+    const bool other_zones = !model.designer.brush.held && model.designer.design.maps != maps_;
+    if (other_zones) maps_ = model.designer.design.maps;
+    const bool anew = other_zones || other_number || model.wishes.anew || makes_anew(model.switches, made_);
     if (anew) {
         make(model.switches);
         model.dofs.clear();
+        model.designer.paint_failure = painted_.failure;
     }
     if (model.switches.strategy != made_.strategy) use_strategy(model.switches.strategy);
     clq_actor_info info = clq_actor_info_init();

@@ -22,18 +22,29 @@ struct Opened {
     std::shared_ptr<void> keeps;
     double first_s = 0, last_s = 60;
     std::function<void(scenes::Library &, const scenes::Scene &)> dress;  // the people, before they are shown
+    // The character of a template of this name, whose textures can then be painted; empty: none can.
+    std::function<scenes::Own<clq_asset>(scenes::Library &, const std::string &tmpl)> asset_of = {};
 };
 using Open = std::function<Opened(scenes::Library &)>;
 using Now = double (*)();  // seconds; null: costs are not measured
+
+// Templates with painted zones, which take the places of those that a scene would take. Those that no library owns are
+// kept here.
+struct Painted {
+    std::vector<scenes::Own<clq_template>> kept;
+    std::string failure;  // why a map could not be given; "": all are
+};
+Painted paint_templates(scenes::Library &library, Opened &opened, scenes::Lod lod, const std::vector<SharedMap> &maps);
 
 // A scene that needs no GL yet, so that another thread than that of the window can make it.
 struct Loaded {
     std::unique_ptr<scenes::Library> library;
     Opened opened;
+    Painted painted;
     std::unique_ptr<scenes::Scene> scene;
 };
-// `people`: their number; 0: the scene's own. Throws scenes::Failure.
-Loaded load(const Open &open, const Switches &switches, uint32_t people = 0);
+// `people`: their number; 0: the scene's own. `maps`: painted zones. Throws scenes::Failure.
+Loaded load(const Open &open, const Switches &switches, uint32_t people = 0, const std::vector<SharedMap> &maps = {});
 
 class World
 {
@@ -59,6 +70,7 @@ public:
     clq_crowd *crowd() const { return scene_->crowd(); }
     clq_context *context() const { return library_->context(); }
     const clq_camera &camera() const { return camera_; }
+    bool can_paint() const { return static_cast<bool>(opened_.asset_of); }
     bool has_path() const { return path_.has_value(); }
     double first_s() const { return opened_.first_s; }
     double last_s() const { return opened_.last_s; }
@@ -87,6 +99,7 @@ private:
     void make(const Switches &switches);
     bool count_people(uint32_t wanted);
     void show(Loaded loaded, const Switches &switches);
+    void propose(Model &model);
     void unmake();
     void use_strategy(int strategy);
     void follow(Model &model);
@@ -124,6 +137,8 @@ private:
     std::map<uint32_t, clq_actor> handled_;        // whose joints are set by hand
     std::map<const clq_template *, clq_mechanism> mechanisms_;
     Dresser dresser_;
+    std::vector<SharedMap> maps_;  // of the design, that templates were made with
+    Painted painted_;
     uint32_t people_ = 0;  // that were wished for; 0: as many as the scene has
 };
 

@@ -36,6 +36,11 @@ view::Session &Staged::open(const Stage &stage)
             opened.options.scene = stage.scene;
             opened.options.crowd_options.count = stage.count;
             if (!stage.line_up.empty()) opened.options.make = line_up_of(stage.line_up);
+            opened.asset_of = [](scenes::Library &of, const std::string &name) {
+                clq_asset *made = nullptr;
+                scenes::check(clq_asset_builtin(of.context(), name.c_str(), &made));
+                return scenes::Own<clq_asset>(made);
+            };
             if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
             return opened;
         },

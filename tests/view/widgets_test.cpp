@@ -63,6 +63,16 @@ const std::vector<std::string> &names_of_widgets()
                                                    "textures: mixed",
                                                    "textures: own",
                                                    "texels",
+                                                   "tool: pick",
+                                                   "tool: brush",
+                                                   "tool: fill",
+                                                   "brush size",
+                                                   "new zone",
+                                                   "add zone",
+                                                   "save zones",
+                                                   "zones at most",
+                                                   "propose zones",
+                                                   "grey texels",
                                                    "zone: skin",
                                                    "zone: tunic",
                                                    "hue arc",
@@ -121,11 +131,12 @@ protected:
               "click \"add key\"", "click \"Character\"", "click \"Frame\"", "click \"Designer\""});
         design_all();
     }
-    // A zone that is linked and has two palette entries of its own.
+    // A texture that is painted, and a zone that is linked and has two palette entries of its own.
     void design_all()
     {
-        play({"click \"zone: hair\"", "click \"spread: oklab\"", "click \"zone: tunic\"", "click \"linked to: hair\"",
-              "click \"add entry\"", "click \"entry: 1\""});
+        play({"click \"tool: brush\"", "drag \"texels\" 0.3 0.7 0.4 0.7", "click \"zone: hair\"",
+              "click \"spread: oklab\"", "click \"zone: tunic\"", "click \"linked to: hair\"", "click \"add entry\"",
+              "click \"entry: 1\""});
     }
 
     bool uses(const std::string &name)
@@ -135,11 +146,12 @@ protected:
             const view::Widget *widget = session().ui().find(name);
             used = used || (widget && widget->used);
         };
-        static const std::set<std::string> slide = {"speed",  "time",    "field",     "fade",     "people",
-                                                    "weight", "hue arc", "shade box", "variation"};
+        static const std::set<std::string> slide = {"speed",     "time",       "field",        "fade",
+                                                    "people",    "weight",     "hue arc",      "shade box",
+                                                    "variation", "brush size", "zones at most"};
         static const std::map<std::string, const char *> typed = {
-            {"saved as", "film"},      {"map file", "map"},       {"hue", "10 20"},      {"saturation", "0.1 0.2"},
-            {"brightness", "0.1 0.2"}, {"one colour", "#102030"}, {"class name", "folk"}};
+            {"saved as", "film"},      {"map file", "map"},       {"hue", "10 20"},       {"saturation", "0.1 0.2"},
+            {"brightness", "0.1 0.2"}, {"one colour", "#102030"}, {"class name", "folk"}, {"new zone", "mantle"}};
         const bool slides = slide.count(name) != 0;
         if (typed.count(name) != 0) play({"type \"" + name + "\" \"" + typed.at(name) + "\""});
         else if (name == "palette") play({"drag \"palette\" 0.9 0.9"});

@@ -94,7 +94,9 @@ bool operator==(const ColourClass &a, const ColourClass &b)
 bool operator==(const Design &a, const Design &b)
 {
     return std::equal(a.classes.begin(), a.classes.end(), b.classes.begin(), b.classes.end(),
-                      [](const SharedClass &x, const SharedClass &y) { return x == y || *x == *y; });
+                      [](const SharedClass &x, const SharedClass &y) { return x == y || *x == *y; }) &&
+           std::equal(a.maps.begin(), a.maps.end(), b.maps.begin(), b.maps.end(),
+                      [](const SharedMap &x, const SharedMap &y) { return x == y || *x == *y; });
 }
 
 scenes::ColourMap map_of(clq_context *context, const Design &design)

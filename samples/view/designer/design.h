@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "samples/scenes/colours.h"
+#include "samples/view/designer/zone_map.h"
 
 namespace view
 {
@@ -33,8 +34,11 @@ struct ColourClass {
 
 using SharedClass = std::shared_ptr<const ColourClass>;
 
+using SharedMap = std::shared_ptr<const ZoneMap>;
+
 struct Design {
     std::vector<SharedClass> classes;
+    std::vector<SharedMap> maps;  // of textures that were painted; they are not part of a colour map's file
 };
 
 bool same(const clq_hsb_range &a, const clq_hsb_range &b);

@@ -16,7 +16,17 @@ struct Sweep {
 
 // What is to be done once, in the next frame.
 struct DesignerWishes {
-    bool undo = false, redo = false, load = false, save = false;
+    bool undo = false, redo = false, load = false, save = false, propose = false, save_zones = false;
+};
+
+enum class Tool { pick, brush, fill };
+
+struct Brush {
+    Tool tool = Tool::pick;
+    float diameter_px = 12, most_zones = 8;
+    std::string name = "cloak";  // of the next new zone
+    bool held = false;           // a stroke is not at its end yet
+    float last[2] = {0, 0};      // where it was, 0 to 1
 };
 
 struct ZonePicture;
@@ -32,11 +42,13 @@ struct Designer {
     std::string file = "colours.toml";
     Sweep sweep;
     DesignerWishes wishes;
+    Brush brush;
     std::shared_ptr<const ZonePicture> picture;  // of the last frame
     uint64_t seen_pick = 0;                      // the last one that chose a template and a zone
     // Of the last change that reached the crowd.
     size_t changed_people = 0;
     double changed_ms = -1;
+    std::string why_not, paint_failure;  // what did not, and the zones that could not be given; "": nothing
 };
 
 // What is worked on, found in the design. Null: none yet.
@@ -62,6 +74,11 @@ void link_zone(Designer &designer, const clq_hsb_range &own, const std::string &
 void set_variation(Designer &designer, float variation, const std::string &by);
 // The class does not name the chosen zone any more; zones that were linked to it get its colours.
 void forget_zone(Designer &designer);
+// A painted map in place of the one of the same texture, if there is one.
+void set_zone_map(Designer &designer, SharedMap map, const std::string &by);
+// The map of the chosen template's texture that is shown; null: it was not painted.
+SharedMap painted_map(const Designer &designer);
+uint32_t shown_set(const Designer &designer);
 // Another design, as from a file.
 void take_design(Designer &designer, Design next, const std::string &by);
 bool undo(Designer &designer);

@@ -70,7 +70,9 @@ const clq_colour_map *Dresser::map(clq_context *context, const SharedClass &one)
 {
     for (const auto &[made, map] : maps_)
         if (made == one) return map.get();
-    maps_.emplace_back(one, map_of(context, Design{{one}}));
+    Design alone;
+    alone.classes.push_back(one);
+    maps_.emplace_back(one, map_of(context, alone));
     return maps_.back().second.get();
 }
 

@@ -128,6 +128,31 @@ void take_design(Designer &designer, Design next, const std::string &by)
     designer.design = std::move(next);
 }
 
+uint32_t shown_set(const Designer &designer)
+{
+    const auto worn = designer.sets.find(designer.tmpl);
+    return worn == designer.sets.end() ? 0 : worn->second;
+}
+
+SharedMap painted_map(const Designer &designer)
+{
+    for (const SharedMap &map : designer.design.maps)
+        if (map->tmpl == designer.tmpl && map->set_ == shown_set(designer) && map->texture == designer.texture)
+            return map;
+    return nullptr;
+}
+
+void set_zone_map(Designer &designer, SharedMap map, const std::string &by)
+{
+    Design next = designer.design;
+    SharedMap *place = nullptr;
+    for (SharedMap &one : next.maps)
+        if (one->tmpl == map->tmpl && one->set_ == map->set_ && one->texture == map->texture) place = &one;
+    if (place) *place = std::move(map);
+    else next.maps.push_back(std::move(map));
+    take_design(designer, std::move(next), by);
+}
+
 bool undo(Designer &designer) { return designer.history.undo(designer.design); }
 bool redo(Designer &designer) { return designer.history.redo(designer.design); }
 

@@ -21,4 +21,12 @@ void load_design(Designer &designer, clq_context *context, const std::string &pa
 void keep_designs(Designer &designer, clq_context *context, const std::string &folder, const SaveText &save,
                   std::string &message);
 
+using SavePicture =
+    std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)>;
+
+// Saves the painted zones of the texture that is shown, if the designer wishes it: TEMPLATE-zones.png, each zone in a
+// colour, and TEMPLATE-zones.txt, which names them, as options for `claque prepare`.
+void keep_zones(Designer &designer, const std::string &folder, const SavePicture &save_picture, const SaveText &save,
+                std::string &message);
+
 }  // namespace view

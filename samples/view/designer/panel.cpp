@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samples/view/designer/painting.h"
 #include "samples/view/designer/widgets.h"
-#include "samples/view/designer/zone_picture.h"
 #include "samples/view/panels.h"
 
 namespace view
@@ -30,13 +30,6 @@ void follow_pick(Designer &d, const Model &model, const World &world)
     d.tmpl = tmpl.name;
     d.entry = 0;
     if (clq_template_get_zone(info.tmpl, model.picked.zone, &zone) == CLQ_OK) d.zone = zone.name;
-}
-
-void choose_zone(Designer &d, const std::string &zone)
-{
-    if (d.zone == zone) return;
-    d.zone = zone;
-    d.entry = 0;
 }
 
 void changes(Ui &ui, Designer &d)
@@ -107,7 +100,7 @@ void choose_set(Ui &ui, Designer &d, const Subject &subject)
     else d.sets[d.tmpl] = static_cast<uint32_t>(at - 1);
 }
 
-void texture(Ui &ui, Designer &d, const Subject &subject)
+void texture(Ui &ui, Designer &d, const Subject &subject, bool paintable)
 {
     if (subject.info.texture_count > 1) {
         std::vector<std::string> names;
@@ -116,13 +109,7 @@ void texture(Ui &ui, Designer &d, const Subject &subject)
         ui.choice("texture", at, names);
         d.texture = static_cast<uint32_t>(at);
     } else d.texture = 0;
-    d.picture = picture_of(subject.tmpl, d, d.picture);
-    if (!d.picture) return;
-    float u = 0, v = 0;
-    if (!ui.picture("texels", d.picture->rgba.data(), d.picture->side_px, d.picture->number, 14 * ui.em(), u, v))
-        return;
-    clq_zone_info zone = clq_zone_info_init();
-    if (clq_template_get_zone(subject.tmpl, d.picture->at(u, v), &zone) == CLQ_OK) choose_zone(d, zone.name);
+    texture_of_zones(ui, d, subject.tmpl, paintable);
 }
 
 void choose_zone_by_name(Ui &ui, Designer &d, Subject &subject)
@@ -132,11 +119,21 @@ void choose_zone_by_name(Ui &ui, Designer &d, Subject &subject)
         clq_zone_info zone = clq_zone_info_init();
         if (clq_template_get_zone(subject.tmpl, k, &zone) == CLQ_OK) names.emplace_back(zone.name);
     }
+    // Zones that are about to be painted, or that the class names and the template lacks.
+    const size_t own = names.size();
+    std::vector<std::string> others = {d.brush.tool == Tool::pick ? "" : d.zone};
+    if (const ColourClass *colours = chosen_class(d))
+        for (const ZoneColours &zone : colours->zones) others.push_back(zone.zone);
+    if (const SharedMap map = painted_map(d)) others.insert(others.begin(), map->names.begin(), map->names.end());
+    for (const std::string &name : others)
+        if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
     auto at = static_cast<int>(std::find(names.begin(), names.end(), d.zone) - names.begin());
     if (at == static_cast<int>(names.size())) at = 0;
     if (ui.choice("zone", at, names)) d.entry = 0;
     d.zone = names[static_cast<size_t>(at)];
-    scenes::check(clq_template_get_zone(subject.tmpl, static_cast<uint32_t>(at), &subject.zone));
+    subject.zone.range = clq_hsb_range_init();
+    if (static_cast<size_t>(at) < own)
+        scenes::check(clq_template_get_zone(subject.tmpl, static_cast<uint32_t>(at), &subject.zone));
 }
 
 void link(Ui &ui, Designer &d, const clq_hsb_range &own)
@@ -215,11 +212,13 @@ void designer_panel(Ui &ui, Model &model, const World &world)
     if (!ui.holds()) d.history.let_go();
     follow_pick(d, model, world);
     changes(ui, d);
+    for (const std::string &failure : {d.paint_failure, d.why_not})
+        if (!failure.empty()) ui.warning(failure);
     people(ui, d, world);
     Subject subject;
     if (!choose_template(ui, d, world, subject)) return ui.faint("Nothing here has zones to colour.");
     choose_set(ui, d, subject);
-    texture(ui, d, subject);
+    texture(ui, d, subject, world.can_paint());
     choose_zone_by_name(ui, d, subject);
     colours(ui, d, world, subject.zone.range);
     choose_class(ui, d);
