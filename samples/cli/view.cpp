@@ -71,6 +71,10 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     add_hide_option(c, a->what.setup);
     add_reading_options(c, a->what.tracks);
     add_walking_options(c, a->what.tracks);
+    c.get_option("--characters")
+        ->description(
+            "Who walks on the tracks of a file, or stands side by side without one: built-in people and "
+            "glTF files, with commas");
     c.add_option("--path", a->what.setup.path, "Camera path to follow instead of the scene's own (TOML)")
         ->type_name("FILE");
     add_size_option(c, a->what.setup.width, a->what.setup.height);

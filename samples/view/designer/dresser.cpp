@@ -34,13 +34,13 @@ bool Dresser::idle(const Designer &designer) const
     return !dressed_ && designer.design.classes.empty() && designer.sets.empty();
 }
 
-void Dresser::meet(const clq_crowd *crowd, const std::vector<clq_actor> &people,
+bool Dresser::meet(const clq_crowd *crowd, const std::vector<clq_actor> &people,
                    const std::function<std::string(size_t)> &called)
 {
     const bool same = people.size() == people_.size() &&
                       std::equal(people.begin(), people.end(), people_.begin(),
                                  [](const clq_actor &a, const Person &b) { return same_actor(a, b.actor); });
-    if (same) return;
+    if (same) return false;
     std::map<uint32_t, Person> known;
     for (Person &one : people_) known[one.actor.index1] = std::move(one);
     people_.clear();
@@ -64,6 +64,7 @@ void Dresser::meet(const clq_crowd *crowd, const std::vector<clq_actor> &people,
         scenes::check(clq_actor_get_colours(crowd, one.actor, one.own.data(), tmpl.zone_count));
         people_.push_back(std::move(one));
     }
+    return true;
 }
 
 const clq_colour_map *Dresser::map(clq_context *context, const SharedClass &one)
@@ -124,9 +125,11 @@ size_t Dresser::dress(clq_context *context, clq_crowd *crowd, const std::vector<
                       const std::function<std::string(size_t)> &called, const Designer &designer, std::string &why_not)
 {
     if (idle(designer)) return 0;
-    meet(crowd, people, called);
-    dressed_ = true;
+    const bool others = meet(crowd, people, called);
     put_on_sets(crowd, designer);
+    if (dressed_ && !others && designer.design.classes == last_) return 0;
+    dressed_ = true;
+    last_ = designer.design.classes;
     return colour(context, crowd, designer.design, why_not);
 }
 

@@ -34,7 +34,8 @@ private:
         SharedClass worn;
     };
 
-    void meet(const clq_crowd *crowd, const std::vector<clq_actor> &people,
+    // Returns false if all of them are known.
+    bool meet(const clq_crowd *crowd, const std::vector<clq_actor> &people,
               const std::function<std::string(size_t)> &called);
     size_t colour(clq_context *context, clq_crowd *crowd, const Design &design, std::string &why_not);
     void put_on_sets(clq_crowd *crowd, const Designer &designer);
@@ -42,6 +43,7 @@ private:
 
     std::vector<Person> people_;
     std::vector<std::pair<SharedClass, scenes::ColourMap>> maps_;  // of the last design's classes
+    std::vector<SharedClass> last_;  // of the design that they wear
     bool dressed_ = false;
 };
 

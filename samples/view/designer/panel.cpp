@@ -43,7 +43,7 @@ void changes(Ui &ui, Designer &d)
 
 void people(Ui &ui, Designer &d, const World &world)
 {
-    const auto now = static_cast<float>(d.people > 0 ? d.people : world.everyone().size());
+    const auto now = static_cast<float>(d.people > 0 ? d.people : clq_crowd_get_actor_count(world.crowd()));
     float wanted = now;
     if (ui.number("people", wanted, 1, 5000, "%.0f", 0.5f) && wanted != now)
         d.people = static_cast<uint32_t>(std::lround(wanted));
