@@ -1,5 +1,7 @@
 #include "samples/view/designer/panel.h"
 
+#include <claque/mesh.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -100,15 +102,31 @@ void choose_set(Ui &ui, Designer &d, const Subject &subject)
     else d.sets[d.tmpl] = static_cast<uint32_t>(at - 1);
 }
 
+// Those that the finest level shows; others are baked for coarser ones.
+std::vector<uint32_t> textures_of(const clq_template *tmpl)
+{
+    clq_mesh mesh = clq_mesh_init();
+    scenes::check(clq_template_get_mesh(tmpl, 0, &mesh));
+    std::vector<uint32_t> all;
+    for (uint32_t bin = 0; bin < mesh.bin_count; ++bin) {
+        clq_triangles triangles = clq_triangles_init();
+        scenes::check(clq_template_get_triangles(tmpl, 0, bin, &triangles));
+        if (std::find(all.begin(), all.end(), triangles.texture) == all.end()) all.push_back(triangles.texture);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
 void texture(Ui &ui, Designer &d, const Subject &subject, bool paintable)
 {
-    if (subject.info.texture_count > 1) {
-        std::vector<std::string> names;
-        for (uint32_t k = 0; k < subject.info.texture_count; ++k) names.push_back(std::to_string(k + 1));
-        int at = static_cast<int>(std::min(d.texture, subject.info.texture_count - 1));
-        ui.choice("texture", at, names);
-        d.texture = static_cast<uint32_t>(at);
-    } else d.texture = 0;
+    const std::vector<uint32_t> all = textures_of(subject.tmpl);
+    if (all.empty()) return;
+    auto at = static_cast<int>(std::find(all.begin(), all.end(), d.texture) - all.begin());
+    if (at == static_cast<int>(all.size())) at = 0;
+    std::vector<std::string> names;
+    for (const uint32_t texture : all) names.push_back(std::to_string(texture + 1));
+    if (all.size() > 1) ui.choice("texture", at, names);
+    d.texture = all[static_cast<size_t>(at)];
     texture_of_zones(ui, d, subject.tmpl, paintable);
 }
 
