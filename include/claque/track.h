@@ -206,6 +206,23 @@ typedef struct clq_track_state {
 /* Evaluates a track, in constant time. Fails: ARGUMENT (NULL, a time that is not finite). Threads: any. */
 CLQ_API clq_status clq_track_evaluate(const clq_track *track, double time_s, clq_track_state *out);
 
+/* A time in which a foot stands. */
+typedef struct clq_track_plant {
+    double begin_s,
+        end_s;          /* on the track's own clock; a foot that is down at an end of the track begins or ends there */
+    double position[3]; /* of the ball of the foot, on the ground, world units */
+} clq_track_plant;
+
+/* Gets when and where a foot stands, for prints, dust and sounds, and for measuring how far feet slide.
+ *   foot           0 left, 1 right
+ *   from_s, to_s   on the track's own clock: plants that have a time in common with this range, ascending
+ *   out            [capacity], or NULL with capacity 0: the call only counts
+ *   out_count      the number of plants
+ * Fails: ARGUMENT (NULL, a foot above 1, a time that is not finite), LIMIT (more than capacity; nothing is written
+ * then). Threads: any. */
+CLQ_API clq_status clq_track_get_plants(const clq_track *track, uint32_t foot, double from_s, double to_s,
+                                        clq_track_plant *out, size_t capacity, size_t *out_count);
+
 /* Writes a track, so that it need not be created again. Equal tracks give equal bytes on every machine.
  * Fails: ARGUMENT (NULL), IO, CALLBACK, OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_track_save(const clq_track *track, clq_write_function write, void *user);

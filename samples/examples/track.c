@@ -72,6 +72,11 @@ int main(void)
     check(clq_track_evaluate(track, 10, &state));
     expect(state.stands && state.gait == 0, "after ten it stands");
 
+    clq_track_plant plants[32];
+    size_t plant_count = 0;
+    check(clq_track_get_plants(track, 0, 2, 6, plants, 32, &plant_count));
+    expect(plant_count >= 3 && plants[1].position[2] > plants[0].position[2], "its left foot goes ahead step by step");
+
     check(clq_crowd_create(context, NULL, &crowd));
     clq_actor_def actor_def = clq_actor_def_init();
     actor_def.tmpl = citizen;

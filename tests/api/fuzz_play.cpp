@@ -76,6 +76,11 @@ void World::follow()
     clq_track_state state;
     const double when = random_.odd(-5, 30);
     call("clq_track_evaluate", [&] { return clq_track_evaluate(track, when, &state); });
+    clq_track_plant plants[4];
+    size_t plant_count = 0;
+    const uint32_t foot = random_.below(3);
+    call("clq_track_get_plants",
+         [&] { return clq_track_get_plants(track, foot, when, when + 2, plants, random_.below(5), &plant_count); });
 }
 
 void World::watch()

@@ -87,6 +87,39 @@ TEST_F(Walkers, FeetThatStandSlideByLessThan20MmOrAPixelInEveryCacheMode)
         }
 }
 
+TEST_F(Walkers, TellWhenAndWhereTheirFeetStand)
+{
+    clq_locomotion_info measured = clq_locomotion_info_init();
+    ASSERT_EQ(clq_locomotion_get_info(locomotion_, &measured), CLQ_OK);
+    clq_crowd *crowd = this->crowd();
+    clq_track *track = this->track(1.3, 0);
+    const clq_actor actor = walker(crowd, track);
+    for (uint32_t foot = 0; foot < 2; ++foot) {
+        size_t count = 0;
+        ASSERT_EQ(clq_track_get_plants(track, foot, 0.5, 4.5, nullptr, 0, &count), CLQ_OK);
+        ASSERT_GE(count, 4u);
+        std::vector<clq_track_plant> plants(count);
+        ASSERT_EQ(clq_track_get_plants(track, foot, 0.5, 4.5, plants.data(), count, &count), CLQ_OK);
+        for (size_t i = 0; i < count; ++i) {
+            const clq_track_plant &plant = plants[i];
+            EXPECT_LT(plant.begin_s, plant.end_s);
+            EXPECT_GE(plant.end_s, 0.5);
+            EXPECT_LE(plant.begin_s, 4.5);
+            if (i > 0) EXPECT_GT(plant.begin_s, plants[i - 1].end_s);
+            const double middle_s = (plant.begin_s + plant.end_s) / 2;
+            const std::vector<double> shown = place(crowd, actor, measured.legs[foot].toes, middle_s);
+            EXPECT_LT(std::hypot(shown[0] - plant.position[0], shown[2] - plant.position[2]), 0.06);
+            EXPECT_LT(apart(shown, place(crowd, actor, measured.legs[foot].toes, middle_s + 0.08)), 0.01);
+        }
+        EXPECT_EQ(clq_track_get_plants(track, foot, 0.5, 4.5, plants.data(), count - 1, &count), CLQ_LIMIT);
+        EXPECT_EQ(clq_track_get_plants(track, foot, 100, 200, nullptr, 0, &count), CLQ_OK);
+        EXPECT_EQ(count, 0u);
+    }
+    size_t count = 0;
+    EXPECT_EQ(clq_track_get_plants(track, 2, 0, 1, nullptr, 0, &count), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_track_get_plants(track, 0, NAN, 1, nullptr, 0, &count), CLQ_ARGUMENT);
+}
+
 TEST_F(Walkers, SlideWithoutTheRuleForWhatMoves)
 {
     clq_locomotion_info measured = clq_locomotion_info_init();
