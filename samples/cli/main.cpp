@@ -1,5 +1,6 @@
 // claque: draws pictures of crowds, describes and prepares characters, measures and compares.
 #include "samples/cli/program.h"
+#include "samples/scenes/roles/roles_scene.h"
 #include "samples/scenes/walkers/scenario_walkers.h"
 #ifdef CLAQUE_STAGED
 #include "samples/stage/staged_scene.h"
@@ -9,6 +10,7 @@ int main(int argc, char **argv)
 {
     using namespace cli;
     scenes::draw_tracks_with(scenes::walkers::make_scenario);
+    scenes::draw_people_with(scenes::roles::make_scenario);
 #ifdef CLAQUE_STAGED
     scenes::draw_stages_with(staged::make_scenario);
 #endif

@@ -6,11 +6,13 @@
 #include <claque/shadow.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "samples/scenes/eye.h"
 #include "samples/scenes/gl.h"
+#include "samples/scenes/mind.h"
 #include "samples/scenes/scene_crowd.h"
 
 namespace scenes
@@ -45,10 +47,14 @@ public:
     virtual void prepare(const Gl &gl) = 0;
     // Draws everything but the crowd into a cleared picture, and leaves the lights on for the crowd.
     virtual void draw_environment(const Gl &gl, const Eye &eye) const = 0;
+    // What is drawn after the crowd, such as what people carry: it follows their poses.
+    virtual void draw_things(const Gl &, const Eye &) const {}
     // From now on the scene leaves out the shadows that it paints itself, so that claque draws shadows or nothing
     // does. Returns the light of the shadows; returns false, with nothing changed, if the scene has no ground for
     // them.
     virtual bool take_shadows(clq_shadow_def &) { return false; }
+    // What an individual that decides is at; none: it does not.
+    virtual std::optional<Mind> mind_of(clq_actor) const { return {}; }
     // A time at which the most people are there.
     virtual double busiest_s() const { return 0; }
     // From now on a scene that culls leaves out what does not meet a frustum of this fraction of the picture's.

@@ -158,6 +158,7 @@ void SceneRenderer::frame(double time_s)
 
 void SceneRenderer::draw_show()
 {
+    scene_->draw_things(gl_, eye_);
     if (options_.show == Show::spheres) draw_spheres(gl_, eye_, scene_->crowd(), scene_->actors());
     if (options_.cull_scale < 1) draw_frustum(gl_, options_.cull_scale);
 }

@@ -60,7 +60,7 @@ public:
     // The shadows of people, if they are claque's. Call it after the environment and before the crowd; it waits for GL
     // as draw_crowd() does.
     clq_shadow_stats draw_shadows();
-    // Draws the overlay of SceneOptions::show over the finished picture.
+    // Draws what the scene draws after the crowd, and the overlay of SceneOptions::show.
     void draw_show();
     // The crowd alone, waiting for GL before and after, so that it can be timed.
     clq_draw_stats draw_crowd();

@@ -54,6 +54,30 @@ std::string with_places(const std::string &text, const std::vector<Place> &place
     return read.table().contains("places") ? text : text + section_of(places);
 }
 
+// As they stand in the text.
+void add_states(const toml::table &states, const std::string &within, std::vector<std::string> &out)
+{
+    std::vector<std::pair<uint32_t, std::string>> lines;
+    for (const auto &[name, state] : states) lines.push_back({state.source().begin.line, std::string(name.str())});
+    std::sort(lines.begin(), lines.end());
+    for (const auto &[line, name] : lines) {
+        out.push_back(within + name);
+        const toml::table *own = states[name].as_table();
+        const toml::table *inner = own ? (*own)["states"].as_table() : nullptr;
+        if (inner) add_states(*inner, within + name + ".", out);
+    }
+}
+
+std::vector<std::string> states_of(const std::string &text)
+{
+    std::vector<std::string> out;
+    if (io::line_of_deep_key(text) != 0) return out;
+    const toml::parse_result read = toml::parse(std::string_view(text));
+    const toml::table *states = read ? read.table()["states"].as_table() : nullptr;
+    if (states) add_states(*states, "", out);
+    return out;
+}
+
 Machine add_machine(clq_stage *stage, const std::string &path, const std::vector<Place> &places, const People &people,
                     const std::vector<size_t> &members)
 {
@@ -61,6 +85,7 @@ Machine add_machine(clq_stage *stage, const std::string &path, const std::vector
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
     Machine made;
+    made.states = states_of(text);
     text = with_places(text, places, made.goes);
     std::vector<const clq_template *> templates;
     std::vector<const clq_locomotion *> locomotions;

@@ -12,7 +12,8 @@ namespace staged
 
 struct Machine {
     clq_machine id = {};
-    bool goes = false;  // it has the action `go`: its agents walk
+    bool goes = false;                // it has the action `go`: its agents walk
+    std::vector<std::string> states;  // with those round them: "visits.stands"
 };
 
 // Adds each file once, for all characters that run it; by path. Throws Failure with the machine's place.

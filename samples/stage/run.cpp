@@ -214,6 +214,21 @@ std::array<double, 3> Run::place_of(uint32_t person) const
     return {info.position[0], info.position[1], info.position[2]};
 }
 
+std::optional<Mind> Run::mind_of(uint32_t person) const
+{
+    if (!is_here(person)) return {};
+    clq_agent_info info = clq_agent_info_init();
+    check(clq_stage_get_agent(stage_.get(), agents_[person], &info));
+    const std::string &file = agents_of(person).machine;
+    return Mind{file,
+                machines_.at(file).states,
+                info.state ? info.state : "",
+                info.entered_s,
+                decided_s(),
+                info.transitions,
+                info.walks};
+}
+
 void Run::send(uint32_t person, const char *event, const double position[3], double value)
 {
     clq_stage_event made = clq_stage_event_init();

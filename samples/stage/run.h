@@ -83,6 +83,8 @@ public:
     bool is_here(uint32_t person) const { return agents_[person].index1 != 0; }
     clq_agent agent_of(uint32_t person) const { return agents_[person]; }
     std::array<double, 3> place_of(uint32_t person) const;
+    // Likewise; none: it is not here.
+    std::optional<scenes::Mind> mind_of(uint32_t person) const;
     // An event for one person in the next tick, with a place: `go = "sender"` leads there.
     void send(uint32_t person, const char *event, const double position[3], double value = 0);
     // In the flow that draws: an event for all, after the lead. Throws Failure where no machine has it.

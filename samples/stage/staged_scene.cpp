@@ -50,6 +50,14 @@ public:
         run_.show(time_s);
     }
 
+    std::optional<Mind> mind_of(clq_actor actor) const override
+    {
+        const std::vector<Person> &all = run_.people().all();
+        for (uint32_t person = 0; person < all.size(); ++person)
+            if (all[person].actor.index1 == actor.index1) return run_.mind_of(person);
+        return {};
+    }
+
     bool take_shadows(clq_shadow_def &def) override { return take_shadows_of(*setting_, def); }
 
     void prepare(const Gl &gl) override { setting_->prepare(gl); }

@@ -104,7 +104,7 @@ void read_walkers(TomlTable &described, const ScenarioFiles &files, SocialClass 
 
 void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 {
-    const bool decide = all.has("stage"), sit = !decide && all.has("theatre");
+    const bool decide = all.has("stage") || all.has("people"), sit = !decide && all.has("theatre");
     double shares = 0;
     for (TomlTable &described : all.tables("characters", "[[characters]]")) {
         SocialClass made;

@@ -19,8 +19,19 @@ MakeScenario &maker_of_stages()
     return make;
 }
 
+MakeScenario &maker_of_people()
+{
+    static MakeScenario make = nullptr;
+    return make;
+}
+
 MakeScenario maker_for(const Scenario &scenario)
 {
+    if (!scenario.people.empty()) {
+        if (maker_of_people()) return maker_of_people();
+        throw Failure(scenario.people[0].at_file +
+                      ": this program draws no people with roles; the command claque does");
+    }
     if (!scenario.stage && !scenario.tracks) return make_theatre;
     const MakeScenario make = scenario.stage ? maker_of_stages() : maker_of_walkers();
     if (!make)
@@ -37,6 +48,7 @@ void colour_people(const Scene &scene, Library &library, const Scenario &scenari
 }  // namespace
 
 void draw_tracks_with(MakeScenario make) { maker_of_walkers() = make; }
+void draw_people_with(MakeScenario make) { maker_of_people() = make; }
 void draw_stages_with(MakeScenario make) { maker_of_stages() = make; }
 
 std::unique_ptr<Scene> make_scenario(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)

@@ -28,8 +28,12 @@ void expect_people(TomlTable &all, const Scenario &scenario)
             "has people who decide, [stage], and people on tracks, [tracks], whom they would not see and walk "
             "through; it needs one of the two",
             "tracks");
-    if (!scenario.theatre && !scenario.tracks && !scenario.stage)
-        all.refuse("does not say where its people are: it needs [theatre] or [tracks], or [stage]");
+    const bool others = scenario.theatre || scenario.tracks || scenario.stage;
+    if (others && !scenario.people.empty())
+        all.refuse("has [[people]] with roles and others, in [theatre], [tracks] or [stage]; it needs one of the two",
+                   "people");
+    if (!others && scenario.people.empty())
+        all.refuse("does not say where its people are: it needs [theatre] or [tracks], [stage] or [[people]]");
 }
 
 std::string why_not_there(const std::string &path)

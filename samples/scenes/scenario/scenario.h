@@ -13,6 +13,7 @@
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/roles/person.h"
 #include "samples/scenes/scenario/staging.h"
 #include "samples/scenes/scene.h"
 
@@ -35,6 +36,7 @@ struct Scenario {
     std::optional<TrackFile> tracks;
     std::optional<Staging> stage;
     std::optional<ScenarioTown> town;
+    std::vector<roles::Person> people;
 
     std::optional<CameraPath> path;
     std::string follow;  // the id of the person whom the camera follows; empty: it stands
@@ -73,5 +75,7 @@ using MakeScenario = std::unique_ptr<Scene> (*)(Library &, const CrowdOptions &,
 void draw_tracks_with(MakeScenario make);
 // The same for agents that decide (samples/stage/staged_scene.h).
 void draw_stages_with(MakeScenario make);
+// And for people with roles (samples/scenes/roles/roles_scene.h).
+void draw_people_with(MakeScenario make);
 
 }  // namespace scenes

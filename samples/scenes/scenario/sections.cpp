@@ -9,8 +9,8 @@ const std::vector<ScenarioSection> &scenario_sections()
         {"characters", read_characters}, {"theatre", read_theatre}, {"tracks", read_tracks},
         {"stage", read_staging},         {"town", read_town},       {"places", read_places},
         {"navigation", read_navigation}, {"doors", read_doors},     {"agents", read_agents},
-        {"flyers", read_flyers},         {"camera", read_camera},   {"light", read_light},
-        {"ground", read_ground},
+        {"flyers", read_flyers},         {"people", read_people},   {"camera", read_camera},
+        {"light", read_light},           {"ground", read_ground},
     };
     return all;
 }

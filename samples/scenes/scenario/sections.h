@@ -26,6 +26,7 @@ void read_flyers(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 void read_places(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_doors(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
+void read_people(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_agents(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_camera(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);
 void read_light(TomlTable &all, const ScenarioFiles &files, Scenario &scenario);

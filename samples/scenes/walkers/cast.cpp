@@ -67,41 +67,6 @@ std::vector<uint32_t> idles_of(const Member &member, const clq_template_info &in
     return idles;
 }
 
-OwnLocomotion locomotion_of(Library &library, const Member &member, const clq_template_info &info)
-{
-    const SocialClass::Clips &clips = member.described.clips;
-    clq_locomotion_def def = clq_locomotion_def_init();
-    def.tmpl = member.tmpl;
-    def.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
-    def.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
-    def.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
-    def.turn = clip_of(member, clips.turn, {"turn"}, info);
-    const std::vector<uint32_t> idles = idles_of(member, info);
-    if (def.walk == CLQ_NONE)
-        throw Failure("the character " + member.described.character +
-                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
-    def.idles = idles.data(), def.idle_count = static_cast<uint32_t>(idles.size());
-    clq_locomotion *made = nullptr;
-    check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.described.character);
-    return OwnLocomotion(made);
-}
-
-void take_template(Library &library, Member &member, Lod lod)
-{
-    const std::string &character = member.described.character;
-    if (character.find_first_of("./") == std::string::npos) {
-        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
-        return;
-    }
-    clq_asset *asset = nullptr;
-    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
-    const Own<clq_asset> held(asset);
-    clq_template *made = nullptr;
-    check(clq_asset_build(library.context(), asset, 0, &made), character);
-    member.own.reset(made);
-    member.tmpl = made;
-}
-
 }  // namespace
 
 uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
@@ -121,6 +86,43 @@ SocialClass class_of(const std::string &character)
     return one;
 }
 
+void take_template(Library &library, Member &member, Lod lod)
+{
+    const std::string &character = member.described.character;
+    if (character.find_first_of("./") == std::string::npos) {
+        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
+        return;
+    }
+    clq_asset *asset = nullptr;
+    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
+    const Own<clq_asset> held(asset);
+    clq_template *made = nullptr;
+    check(clq_asset_build(library.context(), asset, 0, &made), character);
+    member.own.reset(made);
+    member.tmpl = made;
+}
+
+OwnLocomotion locomotion_of(Library &library, const Member &member)
+{
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(member.tmpl, &info));
+    const SocialClass::Clips &clips = member.described.clips;
+    clq_locomotion_def def = clq_locomotion_def_init();
+    def.tmpl = member.tmpl;
+    def.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
+    def.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
+    def.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
+    def.turn = clip_of(member, clips.turn, {"turn"}, info);
+    const std::vector<uint32_t> idles = idles_of(member, info);
+    if (def.walk == CLQ_NONE)
+        throw Failure("the character " + member.described.character +
+                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
+    def.idles = idles.data(), def.idle_count = static_cast<uint32_t>(idles.size());
+    clq_locomotion *made = nullptr;
+    check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.described.character);
+    return OwnLocomotion(made);
+}
+
 Member cast(Library &library, const SocialClass &described, Lod lod)
 {
     Member member;
@@ -130,7 +132,7 @@ Member cast(Library &library, const SocialClass &described, Lod lod)
         clq_template_info info = clq_template_info_init();
         check(clq_template_get_info(member.tmpl, &info));
         if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);
-        member.locomotion = locomotion_of(library, member, info);
+        member.locomotion = locomotion_of(library, member);
     });
     return member;
 }

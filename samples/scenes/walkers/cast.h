@@ -33,7 +33,14 @@ uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &wor
 // A class of its own for a character.
 SocialClass class_of(const std::string &character);
 
-// Throws Failure with the names of the clips that a character lacks.
+// Its template: a built-in character or a file.
+void take_template(Library &library, Member &member, Lod lod);
+
+// The clips that the class names, or those with usual names, measured. Throws Failure with the names of the clips that
+// a character lacks.
+OwnLocomotion locomotion_of(Library &library, const Member &member);
+
+// The same, and its template.
 Member cast(Library &library, const SocialClass &described, Lod lod);
 
 }  // namespace scenes::walkers
