@@ -3,6 +3,7 @@
 #include <claque/zones.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "samples/cli/files.h"
 #include "samples/scenes/colours.h"
@@ -195,6 +196,8 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
         };
     }
     if (!setup.file.empty()) kept->character = load_textured(library, what);
+    if (setup.file.find_first_of("./") != std::string::npos)
+        opened.character_file = std::filesystem::absolute(setup.file).string();
     opened.options = scene_options(setup, kept->character);
     if (!opened.options.path && has_path(setup) && setup.make == nullptr) {
         setup.camera = "path";

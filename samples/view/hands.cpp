@@ -18,6 +18,12 @@ bool inside(const Input &input)
            input.mouse_y <= static_cast<float>(input.height);
 }
 
+std::array<float, 2> point_of(const Input &input)
+{
+    return {2 * input.mouse_x / static_cast<float>(std::max(1, input.width)) - 1,
+            1 - 2 * input.mouse_y / static_cast<float>(std::max(1, input.height))};
+}
+
 bool any(const bool (&buttons)[button_count]) { return buttons[0] || buttons[1] || buttons[2]; }
 
 }  // namespace
@@ -47,6 +53,12 @@ void Hands::mouse(Model &model, const Input &input, bool for_mouse)
         start_x_ = input.mouse_x, start_y_ = input.mouse_y;
     }
     if (!holds_) return;
+    if (model.ground.tool != Tool::camera && (last_.buttons[left_button] || input.buttons[left_button])) {
+        // The tool has the left button.
+        if (input.buttons[left_button] && inside(input)) model.ground.touch = point_of(input);
+        if (!any(input.buttons)) holds_ = false;
+        return;
+    }
     if (std::hypot(input.mouse_x - start_x_, input.mouse_y - start_y_) > slop_px) moved_ = true;
     if (any(input.buttons) && !began && moved_) {
         const double high = std::max(1, input.height);
@@ -59,9 +71,7 @@ void Hands::mouse(Model &model, const Input &input, bool for_mouse)
         } else model.view.free.orbit(right, down);
     }
     if (any(input.buttons)) return;
-    if (!moved_ && last_.buttons[left_button] && inside(input))
-        model.wishes.pick = {{2 * input.mouse_x / static_cast<float>(std::max(1, input.width)) - 1,
-                              1 - 2 * input.mouse_y / static_cast<float>(std::max(1, input.height))}};
+    if (!moved_ && last_.buttons[left_button] && inside(input)) model.wishes.pick = point_of(input);
     holds_ = false;
 }
 

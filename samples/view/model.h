@@ -13,6 +13,7 @@
 
 #include "samples/view/designer/designer.h"
 #include "samples/view/free_camera.h"
+#include "samples/view/ground/ground_model.h"
 
 namespace view
 {
@@ -27,7 +28,10 @@ struct Switches {
     int threads = 1;
 };
 
-enum class Tint { nothing, level, rate, age };
+enum class Tint { nothing, level, rate, age, cache, zones };
+
+// Where the vertices of an individual came from in a frame.
+enum class Served { vertices, palette, nothing, count };
 
 struct Picked {
     clq_actor actor = {};
@@ -75,7 +79,6 @@ struct View {
 struct Wishes {
     bool picture = false, save_path = false, frame_selection = false, anew = false;
     std::optional<std::array<float, 2>> pick;  // a point of the picture, -1 to 1
-    std::optional<uint32_t> clip;              // that the picked individual fades to
 };
 
 struct Sections {
@@ -88,16 +91,17 @@ struct Model {
     View view;
     Switches switches;
     Tint tint = Tint::nothing;
+    std::array<uint32_t, static_cast<size_t>(Served::count)> served = {};  // in the last frame, with Tint::cache
     bool spheres = false, panel = true;
     bool film = false;              // one is being made
     std::string saved_as = "view";  // the beginning of the names of pictures and paths
     Picked picked;
     uint64_t picks = 0;  // clicks in the picture that picked or let go
     float fade_s = 0.3f;
-    int curve = 1;                                // of clq_curve
-    std::map<uint32_t, std::vector<float>> dofs;  // set by hand, by index1; NaN: left to the clip
+    int curve = 1;  // of clq_curve
     Sections open;
     Designer designer;
+    Ground ground;  // the testing ground
     FrameCost cost;
     double real_s = 0;              // of the person's time, since the beginning
     std::deque<FrameCost> history;  // of the last ten seconds

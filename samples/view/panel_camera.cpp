@@ -78,13 +78,19 @@ void camera_panel(Ui &ui, Model &model, const World &world)
     key_frames(ui, model);
     ui.text_field("saved as", model.saved_as);
     int tint = static_cast<int>(model.tint);
-    if (ui.choice("colours", tint, {"own", "level", "rate", "age"})) {
+    if (ui.choice("colours", tint, {"own", "level", "rate", "age", "cache", "zones"})) {
         model.tint = static_cast<Tint>(tint);
         if (model.tint == Tint::nothing) model.wishes.anew = true;  // their own colours again
     }
     if (model.tint == Tint::level) ui.faint("green: the finest level, violet: the coarsest");
     if (model.tint == Tint::rate) ui.faint("green: 50 poses a second, violet: 4");
     if (model.tint == Tint::age) ui.faint("green: a pose of now, violet: of 0.25 s ago");
+    if (model.tint == Tint::cache) {
+        ui.faint("green: vertices from the cache, " + std::to_string(model.served[0]));
+        ui.faint("yellow: skinned from a cached palette, " + std::to_string(model.served[1]));
+        ui.faint("red: posed and skinned anew, " + std::to_string(model.served[2]));
+    }
+    if (model.tint == Tint::zones) ui.faint("green: triangles of one zone each, violet: half of them have several");
     ui.toggle("bounding spheres", model.spheres);
 }
 

@@ -1,15 +1,22 @@
 // The testing ground of the picked individual's character: its clips, its degrees of freedom, its levels, and what the
 // library said about it.
-#include <limits>
-
-#include "samples/view/panels.h"
+#include "samples/view/ground/ground_panels.h"
 
 namespace view
 {
 namespace
 {
 
-void clips(Ui &ui, Model &model, const clq_template *tmpl, uint32_t count)
+void fade_to(Model &model, const World &world, const std::string &clip)
+{
+    scenes::roles::Fade fade;
+    fade.to.name = clip;
+    fade.to.start_s = fade.at_s = model.clock.time_s;
+    fade.length_s = model.fade_s, fade.curve = model.curve;
+    add_fade(picked_role(model, world)->motion, fade);
+}
+
+void clips(Ui &ui, Model &model, const World &world, const clq_template *tmpl, uint32_t count)
 {
     std::vector<std::string> names;
     for (uint32_t k = 0; k < count; ++k) {
@@ -17,31 +24,31 @@ void clips(Ui &ui, Model &model, const clq_template *tmpl, uint32_t count)
         if (clq_template_get_clip(tmpl, k, &clip) == CLQ_OK) names.emplace_back(clip.name);
     }
     int chosen = -1;
-    if (!names.empty() && ui.choice("clip", chosen, names)) model.wishes.clip = static_cast<uint32_t>(chosen);
+    if (!names.empty() && ui.choice("clip", chosen, names)) fade_to(model, world, names[static_cast<size_t>(chosen)]);
     if (names.empty()) return ui.faint("It has no clips.");
     ui.slider("fade", model.fade_s, 0, 2, "%.2f s");
     ui.choice("curve", model.curve, {"linear", "smooth", "inertial"});
 }
 
-void degrees_of_freedom(Ui &ui, Model &model, const clq_template *tmpl, uint32_t count)
+void degrees_of_freedom(Ui &ui, Model &model, const World &world, const clq_template *tmpl, uint32_t count)
 {
     if (count == 0) return ui.faint("It has no degrees of freedom.");
-    const uint32_t index1 = model.picked.actor.index1;
-    const auto found = model.dofs.find(index1);
-    std::vector<float> values(count, std::numeric_limits<float>::quiet_NaN());
-    if (found != model.dofs.end() && found->second.size() == count) values = found->second;
+    std::map<std::string, float> values;
+    const auto role = model.ground.roles.find(model.picked.actor.index1);
+    if (role != model.ground.roles.end()) values = role->second.dofs;
+    const bool held = !values.empty();
     bool changed = false;
     for (uint32_t k = 0; k < count; ++k) {
         clq_dof_info dof = clq_dof_info_init();
         if (clq_template_get_dof(tmpl, k, &dof) != CLQ_OK) continue;
-        float value = values[k] == values[k] ? values[k] : dof.rest;
+        const auto found = values.find(dof.name);
+        float value = found != values.end() ? found->second : dof.rest;
         if (!ui.slider(dof.name, value, dof.min, dof.max, "%.2f")) continue;
-        values[k] = value;
+        values[dof.name] = value;
         changed = true;
     }
-    if (changed) model.dofs[index1] = values;
-    if (found == model.dofs.end()) return;
-    if (ui.button("leave joints to clips")) model.dofs.erase(index1);
+    if (changed) picked_role(model, world)->dofs = values;
+    if (held && ui.button("leave joints to clips")) picked_role(model, world)->dofs.clear();
 }
 
 void levels(Ui &ui, const clq_template *tmpl, const clq_template_info &info)
@@ -67,8 +74,9 @@ void character_panel(Ui &ui, Model &model, const World &world)
     ui.row("triangles", whole(tmpl.triangle_count) + ", " + whole(tmpl.dirty_count) + " in several zones");
     ui.row("zones", whole(tmpl.zone_count));
     ui.row("memory", memory(tmpl.bytes));
-    clips(ui, model, info.tmpl, tmpl.clip_count);
-    degrees_of_freedom(ui, model, info.tmpl, tmpl.dof_count);
+    clips(ui, model, world, info.tmpl, tmpl.clip_count);
+    degrees_of_freedom(ui, model, world, info.tmpl, tmpl.dof_count);
+    if (ui.button("save scenario")) model.ground.save_scenario = true;
     levels(ui, info.tmpl, tmpl);
     const std::vector<std::string> warnings = world.warnings();
     if (warnings.empty()) ui.faint("The library has no warnings.");

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "samples/view/designer/panel.h"
+#include "samples/view/ground/ground_panels.h"
 
 namespace view
 {
@@ -52,12 +53,14 @@ void panels(Ui &ui, Model &model, const World &world, const Input &input)
     if (ui.section("Person", model.open.person)) person_panel(ui, model, world);
     if (ui.section("Character", model.open.character)) character_panel(ui, model, world);
     if (ui.section("Designer", model.open.designer)) designer_panel(ui, model, world);
+    ground_panels(ui, model, world);
     if (ui.section("Frame", model.open.frame)) frame_panel(ui, model, world);
     ui.end_panel();
 }
 
 void marks(Ui &ui, const Model &model, const World &world)
 {
+    level_marks(ui, world);
     Box box;
     if (model.picked.actor.index1 == 0 || !world.outline(model.picked.actor, box)) return;
     const Box picture = {0, 0, static_cast<float>(world.width()), static_cast<float>(world.height())};

@@ -1,6 +1,7 @@
 #include "samples/view/saved.h"
 
 #include "samples/view/designer/files.h"
+#include "samples/view/ground/save.h"
 #include "samples/view/session.h"
 
 namespace view
@@ -35,13 +36,18 @@ void Saved::wishes(Surface &surface, const Input &input, const World &world, Mod
             request_.save_text(request_.folder + "/" + name, path_text(model.view));
             model.message = name + " is saved";
         }
+        if (model.ground.save_scenario) {
+            const std::string name = named(model) + ".toml";
+            request_.save_text(request_.folder + "/" + name, scenario_text(world, model));
+            model.message = name + " is saved: claque render --scenario " + name;
+        }
         film(surface, input, world, model);
     } catch (const scenes::Failure &failure) {
         film_.reset();
         model.film = false;
         model.message = failure.what();
     }
-    model.wishes.picture = model.wishes.save_path = false;
+    model.wishes.picture = model.wishes.save_path = model.ground.save_scenario = false;
 }
 
 void Saved::film(Surface &surface, const Input &input, const World &world, Model &model)

@@ -86,6 +86,9 @@ public:
     // Marks over the picture.
     void brackets(const Box &box, const Box &within, const std::string &words);
 
+    // Words below a point of the picture.
+    void mark(float x, float y, const std::string &words);
+
     // Whether the mouse and the keys are for a widget rather than for the picture.
     bool takes_mouse() const;
     bool holds() const;  // whether a widget is held by the mouse, or has the keys

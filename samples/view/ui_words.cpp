@@ -67,6 +67,16 @@ void Ui::plot(const char *name, const std::vector<float> &values, const std::str
 
 void Ui::space() { ImGui::Spacing(); }
 
+void Ui::mark(float x, float y, const std::string &words)
+{
+    ImDrawList *list = ImGui::GetBackgroundDrawList();
+    const ImVec2 size = ImGui::CalcTextSize(words.c_str());
+    const ImVec2 at(std::floor(x - size.x / 2), std::floor(y + em_ / 3));
+    list->AddRectFilled(ImVec2(at.x - em_ / 4, at.y), ImVec2(at.x + size.x + em_ / 4, at.y + size.y),
+                        IM_COL32(0, 0, 0, 170));
+    list->AddText(at, IM_COL32(255, 255, 255, 255), words.c_str());
+}
+
 void Ui::brackets(const Box &box, const Box &within, const std::string &words)
 {
     ImDrawList *list = ImGui::GetBackgroundDrawList();

@@ -73,13 +73,14 @@ void World::unmake()
 {
     for (auto &renderer : renderers_) renderer.reset();
     renderer_ = nullptr;
-    mechanisms_.clear();
     dresser_.forget();
-    dofs_.clear();
-    handled_.clear();
+    ticks_.clear();
+    level_row_.reset();
+    findings_.clear();
     index_ = nullptr;  // ends with its crowd
     view_.reset();
     scene_.reset();
+    workbench_.reset();
     path_.reset();
     opened_ = {};
     painted_ = {};
@@ -132,6 +133,7 @@ void World::show(Loaded loaded, const Switches &switches)
     if (now_)
         scenes::check(clq_crowd_set_step_clock(
             scene_->crowd(), [](void *now) { return (*static_cast<Now *>(now))(); }, &now_));
+    workbench_ = std::make_unique<Workbench>(*library_, scene_->crowd(), templates_);
     made_ = switches;
     use_strategy(switches.strategy);
 }
@@ -150,6 +152,7 @@ void World::use_strategy(int strategy)
         for (clq_template *tmpl : templates_) scenes::check(clq_renderer_prepare(made, tmpl));
     }
     renderer_ = renderer.get();
+    level_row_.reset();  // its template is prepared for the renderers that there are
     made_.strategy = strategy;
 }
 
@@ -162,7 +165,7 @@ void World::follow(Model &model)
     const bool anew = other_zones || other_number || model.wishes.anew || makes_anew(model.switches, made_);
     if (anew) {
         make(model.switches);
-        model.dofs.clear();
+        model.ground.roles.clear();
         model.designer.paint_failure = painted_.failure;
     }
     if (model.switches.strategy != made_.strategy) use_strategy(model.switches.strategy);
@@ -171,8 +174,6 @@ void World::follow(Model &model)
         model.picked = {};
         if (model.view.mode == CameraMode::follow) model.view.mode = CameraMode::free;
     }
-    if (model.wishes.clip) play_clip(model, *model.wishes.clip);
-    set_dofs(model);
     const bool picture = model.wishes.picture, path = model.wishes.save_path;
     const bool framing = model.wishes.frame_selection;
     const auto pick = model.wishes.pick;
@@ -225,6 +226,9 @@ void World::frame(Model &model, int width, int height, int below)
     FrameCost &cost = model.cost;
     double start = now_s();
     scene_->place(time_s_);
+    workbench_->touch(model, camera_);
+    workbench_->act(model);
+    Workbench::watch(model, *scene_);
     cost.place_ms = ms_since(start);
     place_camera(model, static_cast<double>(width_) / height_);
     eye_ = scenes::eye_of(camera_);
@@ -236,6 +240,7 @@ void World::frame(Model &model, int width, int height, int below)
     start = now_s();
     scenes::check(clq_crowd_update(scene_->crowd(), time_s_, views, 1));
     cost.update_ms = ms_since(start);
+    show_levels(model);
     if (pick_at) {
         model.picked = pick((*pick_at)[0], (*pick_at)[1]);
         ++model.picks;
@@ -258,14 +263,18 @@ void World::draw(Model &model)
     gl_.ClearColor(0, 0, 0, 1);
     gl_.Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
     scene_->draw_environment(gl_, eye_);
+    workbench_->draw_ground(gl_, eye_, time_s_);
     if (now_) gl_.Finish();
     model.cost.surroundings_ms = ms_since(start);
     start = now_s();
     model.cost.drawn = clq_draw_stats_init();
     scenes::check(clq_renderer_draw(renderer_, view_.get(), &model.cost.drawn));
+    if (level_row_) scenes::check(clq_renderer_draw(renderer_, level_row_->view(), nullptr));
     if (now_) gl_.Finish();
     model.cost.crowd_ms = ms_since(start);
     context_lost_ = get_error_ && get_error_() == context_is_lost;
+    scene_->draw_things(gl_, eye_);
+    workbench_->draw_things(gl_, eye_, model);
     if (model.spheres) scenes::draw_spheres(gl_, eye_, scene_->crowd(), everyone());
 }
 

@@ -9,6 +9,9 @@
 
 #include "samples/scenes/scene_renderer.h"
 #include "samples/view/designer/dresser.h"
+#include "samples/view/ground/findings.h"
+#include "samples/view/ground/level_row.h"
+#include "samples/view/ground/workbench.h"
 #include "samples/view/model.h"
 #include "samples/view/surface.h"
 #include "samples/view/ui.h"
@@ -24,6 +27,7 @@ struct Opened {
     std::function<void(scenes::Library &, const scenes::Scene &)> dress;  // the people, before they are shown
     // The character of a template of this name, whose textures can then be painted; empty: none can.
     std::function<scenes::Own<clq_asset>(scenes::Library &, const std::string &tmpl)> asset_of = {};
+    std::string character_file;                                           // of options.character; empty: it is built in
 };
 using Open = std::function<Opened(scenes::Library &)>;
 using Now = double (*)();  // seconds; null: costs are not measured
@@ -69,13 +73,21 @@ public:
 
     clq_crowd *crowd() const { return scene_->crowd(); }
     clq_context *context() const { return library_->context(); }
+    const clq_view *view() const { return view_.get(); }
     const clq_camera &camera() const { return camera_; }
     bool can_paint() const { return static_cast<bool>(opened_.asset_of); }
+    const clq_template *character() const { return opened_.options.character.tmpl; }
+    const std::string &character_file() const { return opened_.character_file; }
     bool has_path() const { return path_.has_value(); }
     double first_s() const { return opened_.first_s; }
     double last_s() const { return opened_.last_s; }
     const std::vector<clq_template *> &templates() const { return templates_; }
     std::vector<std::string> warnings() const { return library_->warnings(); }
+    // What `examine` found of a character; null: nobody asked.
+    const Findings *findings(const clq_template *tmpl) const;
+    // The levels of the picked individual beside it; null: they are not shown.
+    const LevelRow *level_row() const { return level_row_.get(); }
+    const Workbench &workbench() const { return *workbench_; }
 
     std::vector<clq_actor> everyone() const;
     // Whether an individual is there; all about it.
@@ -105,11 +117,10 @@ private:
     void follow(Model &model);
     void place_camera(Model &model, double aspect);
     void tint(Model &model);
-    void play_clip(Model &model, uint32_t clip);
-    void set_dofs(const Model &model);
     void dress(Model &model);
-    clq_mechanism mechanism_for(const clq_template *tmpl);
+    Served served_of(clq_actor actor, const clq_actor_info &info);
     void draw(Model &model);
+    void show_levels(Model &model);
     double now_s() const { return now_ ? now_() : 0; }
     double ms_since(double start_s) const { return now_ ? (now_() - start_s) * 1000 : -1; }
 
@@ -120,6 +131,7 @@ private:
     Switches made_;
     std::unique_ptr<scenes::Library> library_;
     Opened opened_;
+    std::unique_ptr<Workbench> workbench_;  // ends after the crowd, which calls its mechanisms
     std::unique_ptr<scenes::Scene> scene_;
     std::vector<clq_template *> templates_;
     std::optional<scenes::CameraPath> path_;
@@ -132,14 +144,15 @@ private:
     double time_s_ = 0;
     unsigned (*get_error_)() = nullptr;  // glGetError
     bool context_lost_ = false;
+    std::map<const clq_template *, Findings> findings_;
+    std::unique_ptr<LevelRow> level_row_;
+    clq_actor level_row_of_ = {};
     int width_ = 1, height_ = 1, below_ = 0;
-    std::map<uint32_t, std::vector<float>> dofs_;  // of the model, for the mechanism
-    std::map<uint32_t, clq_actor> handled_;        // whose joints are set by hand
-    std::map<const clq_template *, clq_mechanism> mechanisms_;
     Dresser dresser_;
     std::vector<SharedMap> maps_;  // of the design, that templates were made with
     Painted painted_;
-    uint32_t people_ = 0;  // that were wished for; 0: as many as the scene has
+    uint32_t people_ = 0;               // that were wished for; 0: as many as the scene has
+    std::map<uint32_t, double> ticks_;  // by index1, as the last tint found them
 };
 
 }  // namespace view

@@ -1,7 +1,8 @@
 // Single individuals of a world: found, picked, tinted and told what to do.
+#include <claque/mesh.h>
+
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "samples/view/world.h"
 
@@ -29,21 +30,28 @@ Rgb3 heat(double share)
     return {a.r + (b.r - a.r) * t, a.g + (b.g - a.g) * t, a.b + (b.b - a.b) * t};
 }
 
+// The share of a level's triangles that show several zones.
+double dirty_share(const clq_template *tmpl, uint32_t level)
+{
+    clq_mesh mesh = clq_mesh_init();
+    scenes::check(clq_template_get_mesh(tmpl, level, &mesh));
+    double dirty = 0, all = 0;
+    for (uint32_t bin = 0; bin < mesh.bin_count; ++bin) {
+        clq_triangles triangles = clq_triangles_init();
+        scenes::check(clq_template_get_triangles(tmpl, level, bin, &triangles));
+        all += triangles.index_count;
+        if (triangles.zone == CLQ_NONE) dirty += triangles.index_count;
+    }
+    return all > 0 ? dirty / all : 0;
+}
+
 Rgb3 tint_of(Tint tint, const clq_actor_info &info, double time_s)
 {
+    if (tint == Tint::zones) return heat(2 * dirty_share(info.tmpl, info.level));
     if (tint == Tint::level) return heat(info.level / 6.0);
     // Rates from 50 to 4 a second, ages up to a quarter of a second.
     if (tint == Tint::rate) return heat((static_cast<double>(info.period_s) - 0.02) / 0.23);
     return heat((time_s - info.tick_s) / 0.25);
-}
-
-void write_dofs(void *user, const clq_behaviour_call *call, clq_dof_writer *writer)
-{
-    const auto &dofs = *static_cast<const std::map<uint32_t, std::vector<float>> *>(user);
-    const auto found = dofs.find(call->actor.index1);
-    if (found == dofs.end()) return;
-    for (size_t k = 0; k < found->second.size(); ++k)
-        if (!std::isnan(found->second[k])) clq_dof_write(writer, static_cast<uint32_t>(k), found->second[k], 1);
 }
 
 }  // namespace
@@ -179,70 +187,34 @@ bool World::point_on(uint32_t index1, float &x, float &y) const
     return false;
 }
 
+// In the last update: a pose of another tick was made anew, unless nothing is kept.
+Served World::served_of(clq_actor actor, const clq_actor_info &info)
+{
+    const auto before = ticks_.find(actor.index1);
+    const bool kept = before != ticks_.end() && before->second == info.tick_s && made_.cache != CLQ_CACHE_NONE;
+    ticks_[actor.index1] = info.tick_s;
+    if (!kept) return Served::nothing;
+    return made_.cache == CLQ_CACHE_ANIMATION ? Served::palette : Served::vertices;
+}
+
 void World::tint(Model &model)
 {
     if (model.tint == Tint::nothing) return;
     std::vector<float> rgb;
+    model.served = {};
     for (const clq_actor actor : everyone()) {
         clq_actor_info info = clq_actor_info_init();
         if (!find(actor, info) || !info.visible) continue;
+        const Served served = served_of(actor, info);
+        ++model.served[static_cast<size_t>(served)];
         clq_template_info tmpl = clq_template_info_init();
         scenes::check(clq_template_get_info(info.tmpl, &tmpl));
-        const Rgb3 colour = tint_of(model.tint, info, model.clock.time_s);
+        const Rgb3 colour = model.tint == Tint::cache ? heat(static_cast<double>(served) * 0.375)
+                                                      : tint_of(model.tint, info, model.clock.time_s);
         rgb.clear();
         for (uint32_t zone = 0; zone < tmpl.zone_count; ++zone) rgb.insert(rgb.end(), {colour.r, colour.g, colour.b});
         scenes::check(clq_actor_set_colours(scene_->crowd(), actor, rgb.data(), tmpl.zone_count));
     }
-}
-
-void World::play_clip(Model &model, uint32_t clip)
-{
-    clq_fade_def def = clq_fade_def_init();
-    def.play.clip = clip;
-    def.play.start_s = def.at_s = model.clock.time_s;
-    def.length_s = model.fade_s;
-    def.curve = static_cast<clq_curve>(model.curve);
-    if (clq_actor_fade_to(scene_->crowd(), model.picked.actor, &def) != CLQ_OK) model.message = clq_last_error();
-}
-
-// Values that are set by hand come from a mechanism of the view, after all others. It says that it has a memory, so
-// that its people are posed anew in every frame, also while time stands still.
-void World::set_dofs(const Model &model)
-{
-    for (auto handled = handled_.begin(); handled != handled_.end();) {
-        clq_actor_info info = clq_actor_info_init();
-        const clq_actor actor = handled->second;
-        const bool there = find(actor, info);
-        if (there && model.dofs.count(handled->first) != 0) {
-            ++handled;
-            continue;
-        }
-        if (there) scenes::check(clq_actor_detach_mechanism(scene_->crowd(), actor, mechanism_for(info.tmpl)));
-        handled = handled_.erase(handled);
-    }
-    clq_actor_info info = clq_actor_info_init();
-    const clq_actor picked = model.picked.actor;
-    if (model.dofs.count(picked.index1) != 0 && handled_.count(picked.index1) == 0 && find(picked, info)) {
-        clq_mechanism_attachment attachment = clq_mechanism_attachment_init();
-        attachment.mechanism = mechanism_for(info.tmpl);
-        attachment.priority = 1e6f;
-        scenes::check(clq_actor_attach_mechanism(scene_->crowd(), picked, &attachment));
-        handled_[picked.index1] = picked;
-    }
-    dofs_ = model.dofs;
-}
-
-clq_mechanism World::mechanism_for(const clq_template *tmpl)
-{
-    const auto made = mechanisms_.find(tmpl);
-    if (made != mechanisms_.end()) return made->second;
-    clq_mechanism_def def = clq_mechanism_def_init();
-    def.kind = CLQ_MECHANISM_HOST;
-    def.tmpl = tmpl;
-    def.host = {write_dofs, &dofs_, true};
-    clq_mechanism mechanism = {};
-    scenes::check(clq_crowd_add_mechanism(scene_->crowd(), &def, &mechanism));
-    return mechanisms_.emplace(tmpl, mechanism).first->second;
 }
 
 }  // namespace view

@@ -4,6 +4,16 @@
 
 namespace view_test
 {
+namespace
+{
+
+bool meet(const view::Box &a, const view::Box &b)
+{
+    constexpr float touch = 0.5f;
+    return a.x0 < b.x1 - touch && b.x0 < a.x1 - touch && a.y0 < b.y1 - touch && b.y0 < a.y1 - touch;
+}
+
+}  // namespace
 
 std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> line_up_of(
     const std::vector<std::string> &names)
@@ -41,6 +51,16 @@ view::Session &Staged::open(const Stage &stage)
                 scenes::check(clq_asset_builtin(of.context(), name.c_str(), &made));
                 return scenes::Own<clq_asset>(made);
             };
+            if (!stage.file.empty()) {
+                clq_asset *asset = nullptr;
+                scenes::check(clq_asset_load_file(library.context(), stage.file.c_str(), nullptr, &asset));
+                const scenes::Own<clq_asset> held(asset);
+                clq_template *made = nullptr;
+                scenes::check(clq_asset_build(library.context(), asset, 0, &made));
+                opened.keeps = std::shared_ptr<clq_template>(made, clq_template_destroy);
+                opened.options.character.tmpl = made;
+                opened.character_file = stage.file;
+            }
             if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
             return opened;
         },
@@ -50,13 +70,18 @@ view::Session &Staged::open(const Stage &stage)
 
 void Staged::play(const std::vector<std::string> &steps)
 {
-    view::Script script;
     std::string toml = "steps = [";
     for (const std::string &step : steps) toml += "'" + step + "', ";
-    view::Player player(view::read_script(toml + "]", "test"), stage_.width, stage_.height);
+    play(view::read_script(toml + "]", "test"), [](const view::Input &) {});
+}
+
+void Staged::play(view::Script script, const std::function<void(const view::Input &)> &each)
+{
+    view::Player player(std::move(script), stage_.width, stage_.height);
     view::Input input;
     while (player.next(input, session_->ui(), session_->world())) {
         session_->frame(input);
+        each(input);
         seen();
     }
 }
@@ -74,6 +99,26 @@ std::vector<uint8_t> Staged::picture()
     std::vector<uint8_t> rgb;
     surface_->read(stage_.height - height, width, height, rgb);
     return rgb;
+}
+
+void expect_in_order(const view::Ui &ui, const std::string &at)
+{
+    std::vector<view::Widget> all = ui.widgets();
+    all.insert(all.end(), ui.texts().begin(), ui.texts().end());
+    for (size_t i = 0; i < all.size(); ++i) {
+        EXPECT_GE(all[i].box.x0, all[i].clip.x0) << at << all[i].name;
+        EXPECT_LE(all[i].box.x1, all[i].clip.x1) << at << all[i].name;
+        for (size_t k = 0; k < i; ++k) {
+            if (all[i].clip.y0 != all[k].clip.y0) continue;  // of another panel
+            EXPECT_FALSE(meet(all[i].box, all[k].box)) << at << all[i].name << " and " << all[k].name;
+        }
+    }
+    // Nothing of the lower bar needs scrolling.
+    for (const view::Widget &one : all) {
+        if (one.clip.y0 > 0) {
+            EXPECT_LE(one.box.y1, one.clip.y1) << at << one.name;
+        }
+    }
 }
 
 }  // namespace view_test

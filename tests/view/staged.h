@@ -18,6 +18,7 @@ struct Stage {
     float scale = 1;
     std::string character = {};             // a built-in one, for the parade
     std::vector<std::string> line_up = {};  // built-in people side by side, in place of a scene
+    std::string file = {};                  // of a character, in the place of a built-in one
 };
 
 std::function<std::unique_ptr<scenes::Scene>(scenes::Library &, const scenes::CrowdOptions &)> line_up_of(
@@ -36,6 +37,7 @@ protected:
 
     // Plays steps; the input of the last frame stays. Throws scenes::Failure.
     void play(const std::vector<std::string> &steps);
+    void play(view::Script script, const std::function<void(const view::Input &)> &each);
     // The whole window, or the picture alone, as it is.
     std::vector<uint8_t> window();
     std::vector<uint8_t> picture();
@@ -48,5 +50,8 @@ private:
     std::unique_ptr<view::Surface> surface_;
     std::optional<view::Session> session_;
 };
+
+// No widget and no text is cut or lies on another one, and the lower bar needs no scrolling.
+void expect_in_order(const view::Ui &ui, const std::string &at);
 
 }  // namespace view_test

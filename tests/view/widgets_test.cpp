@@ -25,6 +25,11 @@ const std::vector<std::string> &names_of_widgets()
                                                    "Character",
                                                    "Designer",
                                                    "Frame",
+                                                   "Motion",
+                                                   "Face",
+                                                   "Flight",
+                                                   "State",
+                                                   "Check",
                                                    "camera: overview",
                                                    "camera: close",
                                                    "camera: free",
@@ -44,6 +49,9 @@ const std::vector<std::string> &names_of_widgets()
                                                    "colours: level",
                                                    "colours: rate",
                                                    "colours: age",
+                                                   "colours: cache",
+                                                   "colours: zones",
+                                                   "save scenario",
                                                    "bounding spheres",
                                                    "follow",
                                                    "frame",
@@ -190,32 +198,6 @@ TEST_F(Widgets, AreAllReachedByTheirNames)
     }
 }
 
-bool meet(const view::Box &a, const view::Box &b)
-{
-    constexpr float touch = 0.5f;
-    return a.x0 < b.x1 - touch && b.x0 < a.x1 - touch && a.y0 < b.y1 - touch && b.y0 < a.y1 - touch;
-}
-
-void expect_in_order(const view::Ui &ui, const std::string &at)
-{
-    std::vector<view::Widget> all = ui.widgets();
-    all.insert(all.end(), ui.texts().begin(), ui.texts().end());
-    for (size_t i = 0; i < all.size(); ++i) {
-        EXPECT_GE(all[i].box.x0, all[i].clip.x0) << at << all[i].name;
-        EXPECT_LE(all[i].box.x1, all[i].clip.x1) << at << all[i].name;
-        for (size_t k = 0; k < i; ++k) {
-            if (all[i].clip.y0 != all[k].clip.y0) continue;  // of another panel
-            EXPECT_FALSE(meet(all[i].box, all[k].box)) << at << all[i].name << " and " << all[k].name;
-        }
-    }
-    // Nothing of the lower bar needs scrolling.
-    for (const view::Widget &one : all) {
-        if (one.clip.y0 > 0) {
-            EXPECT_LE(one.box.y1, one.clip.y1) << at << one.name;
-        }
-    }
-}
-
 TEST_F(Widgets, AreNeitherCutNorOverlapAtAnySize)
 {
     struct Size {
@@ -226,8 +208,8 @@ TEST_F(Widgets, AreNeitherCutNorOverlapAtAnySize)
         Stage stage;
         stage.width = size.width, stage.height = size.height, stage.scale = size.scale;
         open_all(stage);
-        expect_in_order(session().ui(), std::to_string(size.width) + "x" + std::to_string(size.height) + " scale " +
-                                            std::to_string(size.scale) + ": ");
+        view_test::expect_in_order(session().ui(), std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                                       " scale " + std::to_string(size.scale) + ": ");
     }
 }
 
