@@ -36,7 +36,10 @@ Layout layout_of(const Ui &ui, const Model &model, int width, int height)
 {
     const float w = static_cast<float>(width), h = static_cast<float>(height);
     const float side = model.panel ? std::min(24 * ui.em(), w * 0.6f) : 0;
-    const float high = std::min(6 * ui.em(), h / 2);
+    // A long message takes more lines of the lower bar.
+    const float letters = static_cast<float>(model.message.size()) * 0.54f * ui.em();
+    const float lines = std::ceil(letters / std::max(1.0f, w - 2 * ui.em()));
+    const float high = std::min((6 + 1.1f * std::max(0.0f, lines - 1)) * ui.em(), h / 2);
     const float x = std::floor(w - side), y = std::floor(h - high);
     return {{x, 0, w, y}, {0, y, w, h}, std::max(1, static_cast<int>(x)), std::max(1, static_cast<int>(y))};
 }

@@ -71,7 +71,7 @@ Script read_script(const std::string &toml, const std::string &where)
     Script script;
     const toml::table parsed = scenes::parse_toml(toml, where);
     scenes::TomlTable table(parsed, where, "the script");
-    if (table.has("frames_per_s")) script.frames_per_s = table.number("frames_per_s", {1, 1000});
+    if (table.has("frames_per_s")) script.frames_per_s = table.number("frames_per_s", {0.1, 1000});
     if (table.has("measured")) script.measured = table.flag("measured");
     const std::vector<std::string> lines = table.texts("steps");
     table.done();

@@ -84,6 +84,10 @@ TEST_F(GroundOf, AnOwlSaysWhyItDoesNotWalk)
     pick("owl");
     play({"click \"Motion\"", "click \"treadmill\"", "wait 0.2", "see \"has no clip named walk\""});
     EXPECT_FALSE(ground().treadmill);
+    // Longer sentences take more lines, and none is cut.
+    session().model().message = std::string(150, 'm') + " " + std::string(40, 'n');
+    play({"wait 0.1"});
+    view_test::expect_in_order(session().ui(), "a long message: ");
 }
 
 TEST_F(GroundOf, ADragMovesTheTargetOfTheGaze)

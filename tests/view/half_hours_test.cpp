@@ -1,4 +1,4 @@
-// Half an hour of people who test characters, in seconds: their scripts are played at one frame a second.
+// Half an hour of people who test characters, in seconds: their scripts are played at a frame every two seconds.
 #include <filesystem>
 
 #include "samples/io/files.h"

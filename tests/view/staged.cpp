@@ -35,36 +35,39 @@ void Staged::SetUp()
 
 view::Session &Staged::open(const Stage &stage)
 {
+    const auto of_stage = [stage](scenes::Library &library) {
+        view::Opened opened;
+        opened.options.scene = stage.scene;
+        opened.options.crowd_options.count = stage.count;
+        if (!stage.line_up.empty()) opened.options.make = line_up_of(stage.line_up);
+        opened.asset_of = [](scenes::Library &of, const std::string &name) {
+            clq_asset *made = nullptr;
+            scenes::check(clq_asset_builtin(of.context(), name.c_str(), &made));
+            return scenes::Own<clq_asset>(made);
+        };
+        if (!stage.file.empty()) {
+            clq_asset *asset = nullptr;
+            scenes::check(clq_asset_load_file(library.context(), stage.file.c_str(), nullptr, &asset));
+            const scenes::Own<clq_asset> held(asset);
+            clq_template *made = nullptr;
+            scenes::check(clq_asset_build(library.context(), asset, 0, &made));
+            opened.keeps = std::shared_ptr<clq_template>(made, clq_template_destroy);
+            opened.options.character.tmpl = made;
+            opened.character_file = stage.file;
+        }
+        if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
+        return opened;
+    };
+    return open_with(of_stage, stage);
+}
+
+view::Session &Staged::open_with(const view::Open &open, const Stage &stage)
+{
     session_.reset();
     surface_.reset();
     stage_ = stage;
     surface_ = view::make_offscreen_surface(contexts::Kind::any, stage.width, stage.height);
-    session_.emplace(
-        *surface_,
-        [stage](scenes::Library &library) {
-            view::Opened opened;
-            opened.options.scene = stage.scene;
-            opened.options.crowd_options.count = stage.count;
-            if (!stage.line_up.empty()) opened.options.make = line_up_of(stage.line_up);
-            opened.asset_of = [](scenes::Library &of, const std::string &name) {
-                clq_asset *made = nullptr;
-                scenes::check(clq_asset_builtin(of.context(), name.c_str(), &made));
-                return scenes::Own<clq_asset>(made);
-            };
-            if (!stage.file.empty()) {
-                clq_asset *asset = nullptr;
-                scenes::check(clq_asset_load_file(library.context(), stage.file.c_str(), nullptr, &asset));
-                const scenes::Own<clq_asset> held(asset);
-                clq_template *made = nullptr;
-                scenes::check(clq_asset_build(library.context(), asset, 0, &made));
-                opened.keeps = std::shared_ptr<clq_template>(made, clq_template_destroy);
-                opened.options.character.tmpl = made;
-                opened.character_file = stage.file;
-            }
-            if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
-            return opened;
-        },
-        view::Switches(), stage.scale, nullptr);
+    session_.emplace(*surface_, open, view::Switches(), stage.scale, nullptr);
     return *session_;
 }
 

@@ -32,6 +32,7 @@ protected:
 
     // In place of the session before it.
     view::Session &open(const Stage &stage);
+    view::Session &open_with(const view::Open &open, const Stage &stage = {});
     view::Session &session() { return *session_; }
     view::Surface &surface() { return *surface_; }
 

@@ -166,7 +166,7 @@ void draw_belt(const Gl &g, const Eye &eye, const std::array<double, 3> &at, dou
 void draw_target(const Gl &g, const Eye &eye, const std::array<double, 3> &at)
 {
     Geometry cross;
-    constexpr float arm = 0.09f, thin = 0.012f;
+    constexpr float arm = 0.05f, thin = 0.006f;
     const Rgb red = {0.86f, 0.16f, 0.12f};
     cross.box({-arm, -thin, -thin}, {arm, thin, thin}, red);
     cross.box({-thin, -arm, -thin}, {thin, arm, thin}, red);

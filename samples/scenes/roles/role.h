@@ -1,4 +1,4 @@
-// What one individual is told to do, as data: clips, fades and layers, a treadmill, its face, a flight, what it carries,
+// What one individual is told to do, as data: clips, fades, layers, a treadmill, its face, a flight, what it carries,
 // and a host's own mechanism. The window of `claque view` edits a role, and a scenario has roles in [[people]]; both
 // give it to a Performer (performer.h), so both show the same.
 #pragma once

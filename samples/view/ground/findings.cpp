@@ -124,7 +124,7 @@ Findings examine(scenes::Library &library, const clq_template *tmpl, const std::
     for (uint32_t i = 0; i < count; ++i) {
         clq_level_report report = clq_level_report_init();
         check(clq_asset_get_level_report(asset.get(), i, &report));
-        out.levels.push_back({report.lod_min_m, report.triangle_count, 1000 * static_cast<double>(report.posed_max_m),
+        out.levels.push_back({report.lod_min_m, report.triangle_count, 1000 * static_cast<double>(report.error_m),
                               static_cast<double>(report.zone_area_error), report.open_edges});
     }
     measure_zones(asset.get(), out);

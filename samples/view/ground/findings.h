@@ -23,7 +23,7 @@ struct Findings {
     struct Level {
         float from_m;
         uint32_t triangles;
-        double error_mm;         // largest distance in poses of its clips; negative: not measured
+        double error_mm;         // root mean square in motion; negative: not measured
         double zone_area_error;  // [0, 1]
         uint32_t open_edges;     // that the finest level does not have
     };

@@ -17,7 +17,7 @@ constexpr float lod_scale = 1000;
 using scenes::check;
 
 LevelRow::LevelRow(scenes::Library &library, clq_template *tmpl, const clq_transform &place, double step_m,
-                   const clq_play &play)
+                   const clq_play &play, uint32_t texture_set, const std::vector<uint8_t> &rgb)
     : tmpl_(tmpl)
 {
     clq_crowd_def def = clq_crowd_def_init();
@@ -30,13 +30,17 @@ LevelRow::LevelRow(scenes::Library &library, clq_template *tmpl, const clq_trans
     clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
     const double heading = scenes::roles::home_of(place).heading_rad;
+    std::vector<float> colours;
+    for (const uint8_t byte : rgb) colours.push_back(static_cast<float>(byte) / 255);
     for (uint32_t level = 0; level < info.level_count; ++level) {
         clq_actor_def who = clq_actor_def_init();
-        who.tmpl = tmpl, who.transform = place, who.play = play;
+        who.tmpl = tmpl, who.transform = place, who.play = play, who.texture_set = texture_set;
         who.transform.position[0] += std::cos(heading) * step_m * (level + 1);
         who.transform.position[2] -= std::sin(heading) * step_m * (level + 1);
         clq_actor actor = {};
         check(clq_actor_create(made, &who, &actor));
+        if (!colours.empty())
+            check(clq_actor_set_colours(made, actor, colours.data(), static_cast<uint32_t>(colours.size() / 3)));
         actors_.push_back(actor);
         places_.push_back(who.transform);
     }

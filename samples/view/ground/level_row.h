@@ -9,9 +9,9 @@ namespace view
 class LevelRow
 {
 public:
-    // From `place` on, in steps of `step_m` to the character's left.
+    // From `place` on, in steps of `step_m` to the character's left. `rgb`: colours by zone; empty: the template's own.
     LevelRow(scenes::Library &library, clq_template *tmpl, const clq_transform &place, double step_m,
-             const clq_play &play);
+             const clq_play &play, uint32_t texture_set, const std::vector<uint8_t> &rgb);
 
     void update(const clq_camera &camera, double time_s);
     clq_view *view() const { return view_; }

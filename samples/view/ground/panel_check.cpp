@@ -31,7 +31,7 @@ void tell_zones(Ui &ui, const Findings &found)
 void tell_levels(Ui &ui, const Findings &found)
 {
     if (!found.no_levels.empty()) ui.faint(found.no_levels);
-    ui.text("levels: from, triangles, error in poses");
+    ui.text("levels: from, triangles, error in motion");
     for (size_t i = 0; i < found.levels.size(); ++i) {
         const Findings::Level &level = found.levels[i];
         const std::string measured = level.error_mm < 0 ? "its own"

@@ -42,7 +42,8 @@ void World::show_levels(Model &model)
         const double wide =
             std::fabs(static_cast<double>(info.transform.scale) * static_cast<double>(info.sklsroot_radius));
         level_row_ = std::make_unique<LevelRow>(*library_, levelled, workbench_->place_of(model.picked.actor, info),
-                                                std::max(0.3, 0.8 * wide), info.play);
+                                                std::max(0.3, 0.8 * wide), info.play, info.texture_set,
+                                                colours(model.picked.actor));
         level_row_of_ = model.picked.actor;
     }
     level_row_->update(camera_, time_s_);
