@@ -62,6 +62,7 @@ public:
         sky_.draw(g, eye);
         set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
+        g.Disable(gl::lighting);  // the ground has its colours as they are
         ground_.draw(g);
         for (const auto &one : performers_) one->draw_ground(g, eye, time_s_);
     }
