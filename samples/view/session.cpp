@@ -45,7 +45,7 @@ void Session::renew()
     ui_.forget_context();
     world_.renew();
     with_gl(surface_, model_.switches);
-    model_.dofs.clear();
+    model_.ground.roles.clear();
     model_.message = "the OpenGL context was lost, and is made anew";
 }
 
@@ -67,7 +67,7 @@ void Session::take_drop(const std::string &path)
         return;
     }
     model_.picked = {};
-    model_.dofs.clear();
+    model_.ground.roles.clear();
     model_.view.mode = CameraMode::scene;
     model_.view.shot = 0;
     take_times();

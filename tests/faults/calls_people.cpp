@@ -72,6 +72,13 @@ void add_people_calls(std::vector<Call> &all)
                                                    w.out<clq_area>());
                    },
                    0, note_area, "scenario"});
+    all.push_back({"clq_track_get_plants",
+                   [](W w) {
+                       clq_track_plant plants[64];
+                       size_t count = 0;
+                       return clq_track_get_plants(w.test.tracks[0], 0, 0, 9, plants, 64, &count);
+                   },
+                   quiet});
 }
 
 }  // namespace faults

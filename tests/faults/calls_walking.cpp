@@ -132,13 +132,6 @@ void add_tracks(std::vector<Call> &all)
                        return clq_track_evaluate(w.test.tracks[0], 2, &state);
                    },
                    quiet});
-    all.push_back({"clq_track_get_plants",
-                   [](W w) {
-                       clq_track_plant plants[64];
-                       size_t count = 0;
-                       return clq_track_get_plants(w.test.tracks[0], 0, 0, 9, plants, 64, &count);
-                   },
-                   quiet});
     all.push_back({"clq_track_hold",
                    [](W w) { return clq_track_hold(w.test.tracks[0]), clq_track_destroy(w.test.tracks[0]), CLQ_OK; },
                    quiet});
