@@ -1,5 +1,7 @@
 #include "samples/cli/provenance.h"
 
+#include <claque/base.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -13,7 +15,6 @@
 
 #include <sha256.h>
 
-#include "include/claque/base.h"
 #include "samples/cli/files.h"
 #include "samples/scenes/check.h"
 
