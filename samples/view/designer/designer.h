@@ -19,10 +19,10 @@ struct DesignerWishes {
     bool undo = false, redo = false, load = false, save = false, propose = false, save_zones = false;
 };
 
-enum class Tool { pick, brush, fill };
+enum class BrushTool { pick, brush, fill };
 
 struct Brush {
-    Tool tool = Tool::pick;
+    BrushTool tool = BrushTool::pick;
     float diameter_px = 12, most_zones = 8;
     std::string name = "cloak";  // of the next new zone
     bool held = false;           // a stroke is not at its end yet

@@ -26,10 +26,10 @@ void use_tool(Designer &d, const clq_template *tmpl, float u, float v)
     const bool begins = !brush.held;
     brush.held = true;
     if (begins) brush.last[0] = u, brush.last[1] = v;
-    if (brush.tool == Tool::pick) {
+    if (brush.tool == BrushTool::pick) {
         const std::string zone = d.picture->at(u, v);
         if (!zone.empty() && zone != d.zone) d.zone = zone, d.entry = 0;
-    } else if (brush.tool == Tool::brush) {
+    } else if (brush.tool == BrushTool::brush) {
         const float to[2] = {u, v};
         if (begins || u != brush.last[0] || v != brush.last[1])
             paint(d, "brush",
@@ -42,8 +42,8 @@ void tools(Ui &ui, Designer &d)
 {
     Brush &brush = d.brush;
     int tool = static_cast<int>(brush.tool);
-    if (ui.choice("tool", tool, {"pick", "brush", "fill"})) brush.tool = static_cast<Tool>(tool);
-    if (brush.tool == Tool::pick) return;
+    if (ui.choice("tool", tool, {"pick", "brush", "fill"})) brush.tool = static_cast<BrushTool>(tool);
+    if (brush.tool == BrushTool::pick) return;
     ui.number("brush size", brush.diameter_px, 1, 256, "%.0f", 0.2f);
     ui.text_field("new zone", brush.name);
     if (ui.button("add zone") && !brush.name.empty()) d.zone = brush.name, d.entry = 0;
@@ -71,7 +71,7 @@ void texture_of_zones(Ui &ui, Designer &designer, const clq_template *tmpl, bool
         use_tool(designer, tmpl, u, v);
     else designer.brush.held = false;
     if (paintable) tools(ui, designer);
-    else designer.brush.tool = Tool::pick;
+    else designer.brush.tool = BrushTool::pick;
 }
 
 uint32_t image_for(const clq_asset *asset, const ZoneMap &map)

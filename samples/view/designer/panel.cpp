@@ -139,7 +139,7 @@ void choose_zone_by_name(Ui &ui, Designer &d, Subject &subject)
     }
     // Zones that are about to be painted, or that the class names and the template lacks.
     const size_t own = names.size();
-    std::vector<std::string> others = {d.brush.tool == Tool::pick ? "" : d.zone};
+    std::vector<std::string> others = {d.brush.tool == BrushTool::pick ? "" : d.zone};
     if (const ColourClass *colours = chosen_class(d))
         for (const ZoneColours &zone : colours->zones) others.push_back(zone.zone);
     if (const SharedMap map = painted_map(d)) others.insert(others.begin(), map->names.begin(), map->names.end());
