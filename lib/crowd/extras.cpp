@@ -26,10 +26,14 @@ void check_attached(const model::Template &tmpl, const Attachment &attached)
              static_cast<double>(radius));
 }
 
+// The order is that of the slots, whatever was attached first: a crowd that is restored frees them in the same order,
+// so that later objects get the same ids. The latest slot comes first, so most are linked in one step.
 void link_attached(Extra &extra, base::SlotMap<Attachment> &all, uint32_t index) noexcept
 {
-    all[index].next = extra.first_attached;
-    extra.first_attached = index;
+    uint32_t *link = &extra.first_attached;
+    while (*link != none && *link > index) link = &all[*link].next;
+    all[index].next = *link;
+    *link = index;
 }
 
 Id attach(Crowd &crowd, Id id, uint32_t node, const model::Sphere &sphere)

@@ -99,6 +99,29 @@ TEST_F(Save, IdsAreValidAgainAndStaleWhereTheyWereStale)
     EXPECT_EQ(same.generation, next.generation);
 }
 
+// Objects that were attached in another order than that of their slots are freed in the same order after a restore.
+TEST_F(Save, LaterObjectsGetTheSameIdsInARestoredCrowd)
+{
+    const auto attach = [](clq_crowd *crowd, clq_actor to) {
+        clq_attachment_def def = clq_attachment_def_init();
+        def.radius = 0.1f;
+        clq_attachment made = {};
+        EXPECT_EQ(clq_actor_attach(crowd, to, &def, &made), CLQ_OK) << clq_last_error();
+        return made;
+    };
+    const clq_attachment first = attach(crowd_, actors_[0]), second = attach(crowd_, actors_[1]);
+    EXPECT_EQ(clq_actor_detach(crowd_, first), CLQ_OK);
+    const clq_attachment third = attach(crowd_, actors_[1]);
+    EXPECT_EQ(third.index1, first.index1) << "below the slot of the object that the actor had already";
+    EXPECT_LT(third.index1, second.index1);
+    const saved::Bytes bytes = saved::save(crowd_);
+    clq_crowd *restored = other();
+    ASSERT_EQ(restore(restored, bytes), CLQ_OK) << clq_last_error();
+    for (clq_crowd *crowd : {crowd_, restored}) EXPECT_EQ(clq_actor_destroy(crowd, actors_[1]), CLQ_OK);
+    for (int i = 0; i < 2; ++i) EXPECT_EQ(attach(crowd_, actors_[2]).index1, attach(restored, actors_[2]).index1);
+    EXPECT_EQ(clq_crowd_get_hash(crowd_), clq_crowd_get_hash(restored));
+}
+
 TEST_F(Save, TheGroundStaysWithTheCrowd)
 {
     for (const clq_actor actor : actors_) ASSERT_EQ(clq_actor_follow_ground(crowd_, actor, 5, 5), CLQ_OK);
