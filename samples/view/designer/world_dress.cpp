@@ -65,7 +65,11 @@ void World::propose(Model &model)
 
 void World::dress(Model &model)
 {
-    if (model.tint != Tint::nothing || dresser_.idle(model.designer)) return;
+    if (model.tint != Tint::nothing) return;
+    if (dresser_.idle(model.designer)) {
+        model.designer.why_not.clear();  // of a design that was undone when the crowd was made anew
+        return;
+    }
     const double start = now_s();
     const auto *social = dynamic_cast<const scenes::SocialClasses *>(scene_.get());
     const auto called = [&](size_t who) { return social ? social->class_of(who) : std::string(); };
