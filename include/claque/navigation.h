@@ -30,9 +30,9 @@ typedef struct clq_prism {
     double min_y, max_y;
 } clq_prism;
 
-/* A part of the ground beside the ways, such as the strip before a row of seats. Walkers enter it only where they have
- * a goal in a byway of the same group; a walker that is in one may go out of it anywhere. So no crowd pushes people
- * into rows that are not theirs. */
+/* A part of the ground beside the ways, such as the strip before a row of seats. A walker enters it only if its goal
+ * lies in a byway of the same group, and may leave it anywhere. A crowd then pushes no walker into a row where it has
+ * no seat. */
 typedef struct clq_byway {
     clq_prism prism;
     uint32_t group; /* [0, CLQ_BYWAY_GROUPS - 1] */

@@ -147,6 +147,7 @@ void Coarsening::run(size_t target)
             if (!collapsed_) return;
             for (const Collapse &again : refused_) queue_.push(again);
             refused_.clear(), collapsed_ = false;
+            if (queue_.empty()) return;
         }
         const Collapse next = queue_.top();
         queue_.pop();

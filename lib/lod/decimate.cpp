@@ -85,8 +85,7 @@ std::vector<double> influence_costs(const std::vector<SourcePart> &parts, const 
 
 }  // namespace
 
-std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
-                                const base::Jobs &jobs)
+std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options)
 {
     namespace om = OpenMesh::Decimater;
     omerr().disable();
@@ -104,7 +103,7 @@ std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const Deci
     decimater.module(flips).configure(&surface, options.turn_deg);
     std::unique_ptr<ZoneAreaCost> zone_area;
     if (options.model && options.model->zones.size() > 1 && options.zone_area > 0)
-        zone_area = std::make_unique<ZoneAreaCost>(surface, *options.model, options.zone_area, jobs);
+        zone_area = std::make_unique<ZoneAreaCost>(surface, *options.model, options.zone_area);
     decimater.module(cost).configure(
         &surface,
         {influence_costs(parts, options, size_of(surface)), options.texture * metres_per_uv(surface), 1, options.area},

@@ -9,7 +9,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "lib/base/services.h"
 #include "lib/lod/quadric.h"
 #include "lib/model/model.h"
 
@@ -53,9 +52,8 @@ struct Decimated {
 };
 
 // Returns one level for each target, finest first. `parts` must have passed model::check. Where no legal collapse is
-// left, that level stays above its target and is the last. The result does not depend on `jobs`. Throws base::Error
-// (CLQ_ARGUMENT) if there are no triangles or no targets. Deterministic.
-std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options,
-                                const base::Jobs &jobs = {});
+// left, that level stays above its target and is the last. Throws base::Error (CLQ_ARGUMENT) if there are no triangles
+// or no targets. Deterministic.
+std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options);
 
 }  // namespace claque::lod

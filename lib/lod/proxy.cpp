@@ -88,10 +88,10 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
         (part.indices.size() <= 3 * max_clean_triangles ? swatch_parts : proxies.parts).push_back(std::move(part));
     std::vector<std::vector<model::Image>> charts(proxies.parts.size()), swatches(1);
     const uint32_t count = static_cast<uint32_t>(charts.size());
-    // The swatches take longest, so they begin first. The tasks of a task are its own.
+    // The swatches take longest, so they begin first.
     jobs.try_each(count + 1, [&](uint32_t i) {
-        if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1], {});
-        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts, {});
+        if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1]);
+        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts);
     });
     for (uint32_t i = 0; i < count; ++i)
         proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);

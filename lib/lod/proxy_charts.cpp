@@ -73,16 +73,15 @@ public:
         offset_ = outward_offset * std::max({sizes.x, sizes.y, sizes.z});
     }
 
-    std::vector<TexelSamples> run(const base::Jobs &jobs) const
+    std::vector<TexelSamples> run() const
     {
         std::vector<TexelSamples> texels(size_t(atlas_.width) * atlas_.height);
-        jobs.try_each(static_cast<uint32_t>(atlas_.charts.size()), [&](uint32_t i) {
-            const Chart &chart = atlas_.charts[i];
+        for (const Chart &chart : atlas_.charts) {
             Guess guess{chart.triangles[0], 0};
             for (uint32_t y = chart.y; y < chart.y + chart.height; ++y)
                 for (uint32_t x = chart.x; x < chart.x + chart.width; ++x)
                     sample(chart, x, y, guess, texels[size_t(y) * atlas_.width + x]);
-        });
+        }
         return texels;
     }
 
@@ -182,11 +181,11 @@ uint32_t texels_for(const model::Model &model, size_t triangles)
 
 }  // namespace
 
-std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs)
+std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part)
 {
     const PosedParts level = source.at_rest(part);
     const Atlas atlas = build_atlas(level, texels_for(source.model, level.triangles().size()));
-    const std::vector<TexelSamples> texels = SourceSampler(source, level, atlas).run(jobs);
+    const std::vector<TexelSamples> texels = SourceSampler(source, level, atlas).run();
     const std::vector<double> areas = areas_of(source.model, level, atlas);
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) {

@@ -32,14 +32,13 @@ void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 
 // Gives each triangle of each part one zone in one brightness, from the source surface that is nearest to it, and sets
 // texture coordinates. Returns one image per texture set for all parts.
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
-                                        const base::Jobs &jobs = {});
+std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts);
 
 // Makes the images of `meshes`, which proxy_meshes() returned, as make_proxies() does. The result does not depend on
 // `jobs`.
 ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs = {});
 
 // Bakes one part whose texels show the nearest points of the source.
-std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part, const base::Jobs &jobs = {});
+std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part);
 
 }  // namespace claque::lod

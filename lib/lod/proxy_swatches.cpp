@@ -135,25 +135,19 @@ model::Image image_of(const ProxySource &source, const std::map<Swatch, ColourSu
 
 }  // namespace
 
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
-                                        const base::Jobs &jobs)
+std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts)
 {
-    std::vector<std::vector<ZoneColours>> all(parts.size());
-    std::vector<std::vector<uint32_t>> zones(parts.size());
-    jobs.try_each(static_cast<uint32_t>(parts.size()), [&](uint32_t i) {
-        const PosedParts coarse = source.at_rest(parts[i]);
-        all[i] = collect_colours(source, coarse);
-        zones[i] = zones_of(source, coarse, all[i]);
-    });
     std::map<Swatch, ColourSums> colours;
     std::vector<std::vector<Swatch>> swatches;
-    for (size_t i = 0; i < parts.size(); ++i) {
-        const std::vector<ZoneColours> &zone_colours = all[i];
+    for (const model::Part &part : parts) {
+        const PosedParts coarse = source.at_rest(part);
+        const std::vector<ZoneColours> zone_colours = collect_colours(source, coarse);
+        const std::vector<uint32_t> zones = zones_of(source, coarse, zone_colours);
         const uint32_t shades = zone_colours.size() <= one_shade_triangles ? 1 : max_shades;
         const ZoneColours usual = usual_colours(zone_colours);
         swatches.emplace_back();
         for (size_t t = 0; t < zone_colours.size(); ++t)
-            swatches.back().push_back(swatch_of(source, zone_colours[t], zones[i][t], usual, shades, colours));
+            swatches.back().push_back(swatch_of(source, zone_colours[t], zones[t], usual, shades, colours));
     }
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) images.push_back(image_of(source, colours, set));

@@ -20,11 +20,9 @@ constexpr double recast = 0.9;
 
 }  // namespace
 
-ZoneAreaCost::ZoneAreaCost(const WeldedSurface &surface, const model::Model &model, double weight,
-                           const base::Jobs &jobs)
+ZoneAreaCost::ZoneAreaCost(const WeldedSurface &surface, const model::Model &model, double weight)
     : surface_(surface),
       model_(model),
-      jobs_(jobs),
       weight_(weight),
       visibility_(surface.mesh.n_faces(), 0),
       zones_(surface.mesh.n_faces(), 0)
@@ -59,7 +57,7 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
         zones_[faces.back()] = zone_of(face);
     }
     if (faces_at_cast_ == 0 || double(faces.size()) <= recast * double(faces_at_cast_)) {
-        const std::vector<double> visibility = visibility_of(queries, VisibilityQuality::fast, jobs_);
+        const std::vector<double> visibility = visibility_of(queries, VisibilityQuality::fast);
         for (size_t i = 0; i < faces.size(); ++i) visibility_[faces[i]] = visibility[i];
         faces_at_cast_ = faces.size();
     }

@@ -2,7 +2,6 @@
 // lib/lod.
 #pragma once
 
-#include "lib/base/services.h"
 #include "lib/lod/welded_surface.h"
 
 namespace claque::lod
@@ -15,7 +14,7 @@ class ZoneAreaCost
 {
 public:
     // `surface` is in its state before any collapse; the zones are those of `model`.
-    ZoneAreaCost(const WeldedSurface &surface, const model::Model &model, double weight, const base::Jobs &jobs);
+    ZoneAreaCost(const WeldedSurface &surface, const model::Model &model, double weight);
 
     // Updates the zone of each face and the zones' errors. To be called from time to time: costs use the last
     // measurement.
@@ -32,7 +31,6 @@ private:
 
     const WeldedSurface &surface_;
     const model::Model &model_;
-    const base::Jobs &jobs_;
     double weight_ = 0, area_ = 0;    // of the whole source
     std::vector<double> visibility_;  // by face (visibility.h), when rays were cast last
     size_t faces_at_cast_ = 0;

@@ -13,5 +13,5 @@ share=${CHUNK:-${SLURM_ARRAY_TASK_ID:?set CHUNK, or submit this as a job array}}
 folder=$1 shares=$2 frames=$3
 shift 3
 mkdir -p "$folder"
-exec "${CLAQUE:-claque}" render "$@" --frames "$frames" --chunk "$share/$shares" --manifest "$folder/share-$share.json" \
-    --out "$folder/f-%06d.png"
+exec "${CLAQUE:-claque}" render "$@" --frames "$frames" --chunk "$share/$shares" \
+    --manifest "$folder/share-$share.json" --out "$folder/f-%06d.png"
