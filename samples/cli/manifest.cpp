@@ -41,7 +41,6 @@ bool is_same(const std::string &path, const std::string &sha256)
     return fs::is_regular_file(path, none) && sha256_of_file(path) == sha256;
 }
 
-// A manifest that was read. Throws scenes::Failure with what is wrong.
 struct ReadManifest {
     std::string name;
     Json about;
@@ -55,6 +54,7 @@ struct ReadManifest {
 
 bool is_manifest(const Json &json) { return json.is_object() && json.contains(mark); }
 
+// Throws scenes::Failure with what is wrong.
 ReadManifest read_manifest(const std::string &path, const Json &json)
 {
     ReadManifest found;

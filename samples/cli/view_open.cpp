@@ -7,6 +7,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/scenes/colours.h"
+#include "samples/scenes/walkers/people.h"
 #include "samples/scenes/walkers/replay.h"
 #include "samples/view/designer/line_up.h"
 
@@ -71,10 +72,9 @@ void take_times(const ViewWhat &what, scenes::Library &library, view::Opened &op
     clq_trajectories *made = nullptr;
     const clq_trajectories_def def = reading_of(what.tracks);
     scenes::check(clq_trajectories_load(library.context(), what.tracks.file.c_str(), &def, &made), what.tracks.file);
+    const scenes::walkers::OwnTrajectories trajectories(made);
     clq_trajectories_info info = clq_trajectories_info_init();
-    const clq_status status = clq_trajectories_get_info(made, &info);
-    clq_trajectories_destroy(made);
-    scenes::check(status);
+    scenes::check(clq_trajectories_get_info(made, &info));
     opened.last_s = std::max(1.0, info.max_s - info.min_s);
 }
 
@@ -175,8 +175,7 @@ bool lines_up(const ViewWhat &what)
 
 bool is_view_character(const std::string &file)
 {
-    for (const char *end : {".glb", ".gltf", ".clq"})
-        if (ends_with(file, end)) return true;
+    if (ends_with(file, ".glb") || ends_with(file, ".gltf") || is_prepared(file)) return true;
     return file.find('.') == std::string::npos && file.find('/') == std::string::npos;  // a built-in character
 }
 

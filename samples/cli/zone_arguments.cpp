@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <map>
 
@@ -12,13 +11,15 @@
 #include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/scenes/check.h"
+#include "samples/scenes/zone_inks.h"
 
 namespace cli
 {
 namespace
 {
 
-using Rgb = std::array<uint8_t, 3>;
+using Rgb = scenes::Ink;
+using scenes::hex_of;
 
 // The zones of a map, by number: their keys on the command line, and the colours they are painted with.
 struct Zones {
@@ -28,25 +29,6 @@ struct Zones {
     std::vector<Rgb> inks;
     std::vector<std::string> names;
 };
-
-std::string hex_of(const Rgb &rgb)
-{
-    char text[8];
-    std::snprintf(text, sizeof text, "#%02x%02x%02x", rgb[0], rgb[1], rgb[2]);
-    return text;
-}
-
-// Inks that are easily told apart: hues by the golden angle, alternating light and dark.
-Rgb ink_of(size_t zone)
-{
-    const double turn = 0.02 + 0.6180339887498949 * static_cast<double>(zone), hue = 6 * (turn - std::floor(turn));
-    const double bright = zone % 2 == 0 ? 0.95 : 0.68;
-    const auto channel = [&](double at) {
-        const double away = std::abs(std::fmod(hue - at + 9, 6.0) - 3);
-        return static_cast<uint8_t>(255 * bright * (0.25 + 0.75 * std::clamp(2 - away, 0.0, 1.0)) + 0.5);
-    };
-    return {channel(0), channel(2), channel(4)};
-}
 
 // A colour of at least one texel in 2000 is a zone; other colours, as along soft edges, take the nearest zone.
 // Transparent texels belong to no zone.
@@ -99,7 +81,7 @@ Zones propose(const clq_asset *asset, const ZoneArguments &a)
         out.keys.push_back(std::to_string(i + 1));
         out.names.push_back("zone " + out.keys.back() + " " +
                             hex_of({means[3 * i], means[3 * i + 1], means[3 * i + 2]}));
-        out.inks.push_back(ink_of(i));
+        out.inks.push_back(scenes::zone_ink(i));
     }
     return out;
 }

@@ -1,5 +1,8 @@
 #include "samples/scenes/library.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace scenes
 {
 
@@ -14,6 +17,12 @@ Own<clq_template> prepared(clq_context *context, const clq_prepare_def &def)
 }
 
 }  // namespace
+
+bool is_builtin(const std::string &name)
+{
+    static const char *const names[] = {"citizen", "patrician", "decurion", "plebeian", "herald", "owl"};
+    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
 
 Library::Library(int threads) : tasks_(threads)
 {

@@ -15,6 +15,9 @@
 namespace scenes
 {
 
+// Whether libclaque-assets has a built-in character of this name.
+bool is_builtin(const std::string &name);
+
 class Library
 {
 public:

@@ -43,17 +43,6 @@ std::string section_of(const std::vector<Place> &places)
     return text;
 }
 
-// The text as it stands, if it has places of its own or cannot be read: the stage says what is wrong with it.
-std::string with_places(const std::string &text, const std::vector<Place> &places, bool &goes)
-{
-    goes = false;
-    if (io::line_of_deep_key(text) != 0) return text;
-    const toml::parse_result read = toml::parse(std::string_view(text));
-    if (!read) return text;
-    goes = has_key(read.table(), "go");
-    return read.table().contains("places") ? text : text + section_of(places);
-}
-
 // As they stand in the text.
 void add_states(const toml::table &states, const std::string &within, std::vector<std::string> &out)
 {
@@ -68,14 +57,16 @@ void add_states(const toml::table &states, const std::string &within, std::vecto
     }
 }
 
-std::vector<std::string> states_of(const std::string &text)
+// What the text says of the machine, and the places, unless it has its own. A text that cannot be read stays as it is:
+// the stage says what is wrong with it.
+void look_into(std::string &text, const std::vector<Place> &places, Machine &out)
 {
-    std::vector<std::string> out;
-    if (io::line_of_deep_key(text) != 0) return out;
+    if (io::line_of_deep_key(text) != 0) return;
     const toml::parse_result read = toml::parse(std::string_view(text));
-    const toml::table *states = read ? read.table()["states"].as_table() : nullptr;
-    if (states) add_states(*states, "", out);
-    return out;
+    if (!read) return;
+    if (const toml::table *states = read.table()["states"].as_table()) add_states(*states, "", out.states);
+    out.goes = has_key(read.table(), "go");
+    if (!read.table().contains("places")) text += section_of(places);
 }
 
 Machine add_machine(clq_stage *stage, const std::string &path, const std::vector<Place> &places, const People &people,
@@ -85,8 +76,7 @@ Machine add_machine(clq_stage *stage, const std::string &path, const std::vector
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
     Machine made;
-    made.states = states_of(text);
-    text = with_places(text, places, made.goes);
+    look_into(text, places, made);
     std::vector<const clq_template *> templates;
     std::vector<const clq_locomotion *> locomotions;
     for (const size_t member : members) {

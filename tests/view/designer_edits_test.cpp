@@ -189,7 +189,9 @@ TEST(HueArc, ReachesFromWhereADragBeginsToWhereItIsAcrossTheTopToo)
     EXPECT_EQ(arc(335, 83), std::make_pair(335.0f, 58.0f));
     EXPECT_EQ(arc(58, -83), std::make_pair(335.0f, 58.0f));
     EXPECT_EQ(arc(90, -70), std::make_pair(20.0f, 90.0f));
-    EXPECT_EQ(arc(90, 359.6f), std::make_pair(90.0f, 90.0f));
+    EXPECT_EQ(arc(90, 359.6f), std::make_pair(0.0f, 360.0f));
+    EXPECT_EQ(arc(90, -359.6f), std::make_pair(0.0f, 360.0f));
+    EXPECT_EQ(arc(90, 0.4f), std::make_pair(90.0f, 90.0f));
     EXPECT_EQ(arc(90, 400), std::make_pair(0.0f, 360.0f));
 }
 

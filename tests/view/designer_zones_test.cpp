@@ -190,4 +190,30 @@ TEST_F(DesignerZones, AreSavedAsAPictureWithAColourForEach)
     EXPECT_GT(inks.count("sash"), 0u);
 }
 
+TEST_F(DesignerZones, ThatAreTooSmallToBeReadAgainAreNotNamedAndSaid)
+{
+    open_citizens();
+    play({"click \"tool: brush\"", "type \"new zone\" \"sash\"", "click \"add zone\"",
+          "drag \"texels\" 0.05 0.7 0.95 0.7"});
+    view::ZoneMap map = *view::painted_map(designer());
+    for (uint32_t y = 0; y < map.height(); ++y)
+        for (uint32_t x = 0; x < map.width(); ++x) map.set(x, y, map.zone("sash"));
+    map.set(0, 0, map.zone("bead"));
+    std::vector<std::string> colours;
+    const std::vector<uint8_t> rgb = view::picture_of(map, colours);
+    ASSERT_EQ(colours.size(), map.names.size());
+    EXPECT_EQ(colours[map.zone("bead")], "");
+    EXPECT_EQ(colours[map.zone("sash")].size(), 7u);
+    view::set_zone_map(designer(), std::make_shared<const view::ZoneMap>(map), "");
+    std::string text, message;
+    designer().wishes.save_zones = true;
+    view::keep_zones(
+        designer(), "made", [](const std::string &, const std::vector<uint8_t> &, int, int) {},
+        [&](const std::string &, const std::string &options) { text = options; }, message);
+    EXPECT_NE(text.find("=sash'"), std::string::npos) << text;
+    EXPECT_EQ(text.find("bead"), std::string::npos) << text;
+    EXPECT_NE(message.find("too small to be read again: "), std::string::npos) << message;
+    EXPECT_NE(message.find("bead"), std::string::npos) << message;
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
 // The testing ground in the window: what scripts do there is what people see, and it can be saved.
 #include <map>
+#include <set>
 
 #include "samples/scenes/roles/roles_scene.h"
 #include "samples/view/ground/save.h"
@@ -198,6 +199,43 @@ TEST_F(GroundOf, NobodyIsNoScenario)
 {
     open({});
     EXPECT_THROW(view::scenario_text(session().world(), session().model()), scenes::Failure);
+}
+
+// Parts that are hidden are no part of what is examined either.
+TEST_F(GroundOf, WhatIsExaminedIsTheCharacterAsItWasOpened)
+{
+    open_with([](scenes::Library &library) {
+        view::Opened opened;
+        opened.options.character.tmpl = library.builtin("citizen");
+        opened.options.crowd_options.count = 1;
+        opened.asset_of = [](scenes::Library &of, const std::string &name) {
+            EXPECT_EQ(name, "citizen");
+            clq_asset *made = nullptr;
+            scenes::check(clq_asset_builtin(of.context(), "owl", &made));
+            return scenes::Own<clq_asset>(made);
+        };
+        return opened;
+    });
+    session().model().picked.actor = session().world().everyone().front();
+    ground().examine = true;
+    play({"wait 0.1"});
+    clq_actor_info info = clq_actor_info_init();
+    ASSERT_TRUE(session().world().find(session().model().picked.actor, info));
+    const view::Findings *found = session().world().findings(info.tmpl);
+    ASSERT_TRUE(found);
+    std::set<std::string> names;
+    for (const view::Findings::Zone &zone : found->zones) names.insert(zone.name);
+    clq_template *owl = nullptr;
+    scenes::check(clq_template_builtin(session().world().context(), "owl", &owl));
+    const scenes::Own<clq_template> held(owl);
+    clq_template_info about = clq_template_info_init();
+    scenes::check(clq_template_get_info(owl, &about));
+    EXPECT_EQ(names.size(), about.zone_count);
+    for (uint32_t zone = 0; zone < about.zone_count; ++zone) {
+        clq_zone_info one = clq_zone_info_init();
+        scenes::check(clq_template_get_zone(owl, zone, &one));
+        EXPECT_EQ(names.count(one.name), 1u) << one.name;
+    }
 }
 
 TEST_F(GroundOf, CharactersAreExaminedAndTheirLevelsStandInARow)

@@ -209,6 +209,27 @@ TEST_F(Roles, FlightsPassTheirCornersAtTheirSpeed)
     EXPECT_NEAR(node("body", 1)[12], 1, 0.2);
 }
 
+TEST_F(Roles, SpeedsOfAFlightThatAreDraggedLeaveNothingBehind)
+{
+    enter("owl", "fly");
+    role_.flight.corners = {4, 3, 2, 4, 3, -2, -4, 3, -2};
+    const auto drag = [&] {
+        for (int step = 0; step < 50; ++step) {
+            role_.flight.speed_m_s = 2 + 0.05 * step;
+            performer_->perform(role_, 0);
+        }
+        size_t bytes = 0;
+        const auto count = [](void *user, const void *, size_t size) -> int {
+            *static_cast<size_t *>(user) += size;
+            return 0;
+        };
+        check(clq_crowd_save(crowd_.get(), count, &bytes));
+        return bytes;
+    };
+    const size_t once = drag();
+    EXPECT_EQ(drag(), once);
+}
+
 TEST_F(Roles, ObjectsGrowTheSpheresOfThoseThatCarryThem)
 {
     enter("citizen", "stand");

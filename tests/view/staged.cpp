@@ -54,6 +54,11 @@ view::Session &Staged::open(const Stage &stage)
             opened.keeps = std::shared_ptr<clq_template>(made, clq_template_destroy);
             opened.options.character.tmpl = made;
             opened.character_file = stage.file;
+            opened.asset_of = [](scenes::Library &of, const std::string &path) {
+                clq_asset *again = nullptr;
+                scenes::check(clq_asset_load_file(of.context(), path.c_str(), nullptr, &again));
+                return scenes::Own<clq_asset>(again);
+            };
         }
         if (!stage.character.empty()) opened.options.character.tmpl = library.builtin(stage.character);
         return opened;

@@ -127,7 +127,7 @@ private:
 
     void join(std::vector<bool> &follows, uint32_t node, double from_s)
     {
-        std::vector<Matrix> first;
+        std::vector<Matrix> first, still;
         for (const double t : {from_s, from_s + 0.31, from_s + 0.57}) {
             show(t);
             palette_.resize(12 * static_cast<size_t>(shown_.joint_count));
@@ -135,12 +135,12 @@ private:
             if (follows.empty()) follows.assign(shown_.joint_count, false);
             std::vector<Matrix> now;
             for (size_t joint = 0; joint < shown_.joint_count; ++joint) now.push_back(beside(node, joint, t));
-            if (first.empty()) first = still_ = now;
+            if (first.empty()) first = still = now;
             for (size_t joint = 0; joint < now.size(); ++joint)
-                if (apart(first[joint], now[joint]) > 1e-3) still_[joint][0] = NAN;
+                if (apart(first[joint], now[joint]) > 1e-3) still[joint][0] = NAN;
         }
         for (size_t joint = 0; joint < first.size(); ++joint)
-            if (!std::isnan(still_[joint][0])) follows[joint] = true;
+            if (!std::isnan(still[joint][0])) follows[joint] = true;
     }
 
     void take_vertices(const std::vector<bool> &follows, std::vector<uint32_t> &out) const
@@ -172,18 +172,17 @@ private:
     clq_track_state state_ = {};
     clq_drawn_actor shown_ = clq_drawn_actor_init();
     std::vector<float> palette_;
-    std::vector<Matrix> still_;
     std::vector<uint32_t> soles_[2];
     Sole posed_;
 };
 
-// The way of the part of a sole that touches the ground in both.
-std::array<double, 2> way(const Sole &before, const Sole &now, double ground, double contact)
+// The way of the part of a sole that touches the ground, at height 0, in both.
+std::array<double, 2> way(const Sole &before, const Sole &now, double contact)
 {
     std::array<double, 2> moved = {0, 0};
     int touching = 0;
     for (size_t i = 0; i < before.size(); ++i) {
-        if (!(before[i][1] - ground < contact && now[i][1] - ground < contact)) continue;
+        if (!(before[i][1] < contact && now[i][1] < contact)) continue;
         moved[0] += now[i][0] - before[i][0], moved[1] += now[i][2] - before[i][2];
         ++touching;
     }
@@ -210,7 +209,7 @@ FootDrift drift_of(Library &library, clq_template *tmpl, const clq_locomotion *w
             const double end_s = std::min(plant.end_s, to_s);
             for (double t = std::max(plant.begin_s, from_s); t <= end_s; t += step_s) {
                 const Sole now = walker.at(foot, t);
-                const std::array<double, 2> moved = way(before, now, 0, contact_m * static_cast<double>(scale));
+                const std::array<double, 2> moved = way(before, now, contact_m * static_cast<double>(scale));
                 sum[0] += moved[0], sum[1] += moved[1];
                 most = std::max(most, std::hypot(sum[0], sum[1]));
                 before = now;

@@ -19,10 +19,8 @@ public:
     void perform(const Role &role, double time_s);
     const Role &given() const { return given_; }
 
-    Treadmill *treadmill() { return treadmill_; }  // null: it is not on one
-    const Home &home() const { return home_; }
+    Treadmill *treadmill() { return treadmill_; }          // null: it is not on one
     const clq_transform &place() const { return place_; }  // where it stands when nothing moves it
-    Kit &kit() { return kit_; }
 
     // What it stands on; what it carries, in the pose of the last update.
     void draw_ground(const Gl &gl, const Eye &eye, double time_s) const;
@@ -38,6 +36,7 @@ private:
     void face(const Face &face);
     void look(const Face &face);
     void fly(const Flight &flight);
+    clq_root_path path_of(const Flight &flight);
     void carry(const std::vector<Carried> &load);
     void use_own(const std::string &path);
     void hold(const std::map<std::string, float> &dofs);
@@ -54,6 +53,9 @@ private:
     bool follows_own_ = false;                              // its clips come from the scene, as on a track
     std::map<int, std::unique_ptr<Treadmill>> treadmills_;  // by cm/s
     Treadmill *treadmill_ = nullptr;
+    // The root paths of the corners flown last, by cm/s: a crowd keeps its root paths, and a speed may be dragged.
+    std::vector<double> flown_;
+    std::map<long, clq_root_path> flights_;
     int64_t lap_ = 0;
     std::vector<clq_layer> layers_;
     std::vector<clq_attachment> attached_;

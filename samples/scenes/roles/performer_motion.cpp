@@ -1,4 +1,5 @@
 // What moves a performer as a whole: clips, fades, layers, the treadmill, flights, and what it carries.
+#include <algorithm>
 #include <cmath>
 
 #include "samples/scenes/roles/performer.h"
@@ -97,37 +98,46 @@ void Performer::add_layers(const std::vector<Layer> &layers)
     }
 }
 
-// The corners are in the world; a root path is in the individual's own space, round its Reference Point.
 void Performer::fly(const Flight &flight)
 {
     if (treadmill_) throw Failure("nothing flies on a treadmill");
     clq_root_path_play play = clq_root_path_play_init();
-    if (flight.flies()) {
-        const float *q = place_.orientation_xyzw;
-        const double x = static_cast<double>(-q[0]), y = static_cast<double>(-q[1]), z = static_cast<double>(-q[2]),
-                     w = static_cast<double>(q[3]);  // back into its own space
-        std::vector<float> positions;
-        double length_m = 0;
-        const size_t count = flight.corners.size() / 3;
-        for (size_t i = 0; i < count; ++i) {
-            double v[3], on[3];
-            for (size_t k = 0; k < 3; ++k) {
-                v[k] = flight.corners[3 * i + k] - place_.position[k];
-                on[k] = flight.corners[3 * ((i + 1) % count) + k] - flight.corners[3 * i + k];
-            }
-            length_m += std::sqrt(on[0] * on[0] + on[1] * on[1] + on[2] * on[2]);
-            const double t[3] = {2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])};
-            const double turned[3] = {v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2],
-                                      v[2] + w * t[2] + x * t[1] - y * t[0]};
-            for (const double one : turned)
-                positions.push_back(static_cast<float>(one / static_cast<double>(place_.scale)));
-        }
-        clq_root_path_def def = clq_root_path_def_init();
-        def.count = static_cast<uint32_t>(count), def.positions = positions.data();
-        def.duration_s = static_cast<float>(std::max(0.1, length_m / flight.speed_m_s));
-        check(clq_crowd_add_root_path(crowd_, &def, &play.path));
-    }
+    if (flight.flies()) play.path = path_of(flight);
     check(clq_actor_play_root_path(crowd_, actor_, &play));
+}
+
+// The corners are in the world; a root path is in the individual's own space, round its Reference Point.
+clq_root_path Performer::path_of(const Flight &flight)
+{
+    if (flown_ != flight.corners) flights_.clear(), flown_ = flight.corners;
+    const long speed_cm_s = std::max(1L, std::lround(100 * flight.speed_m_s));
+    const auto known = flights_.find(speed_cm_s);
+    if (known != flights_.end()) return known->second;
+    const float *q = place_.orientation_xyzw;
+    const double x = static_cast<double>(-q[0]), y = static_cast<double>(-q[1]), z = static_cast<double>(-q[2]),
+                 w = static_cast<double>(q[3]);  // back into its own space
+    std::vector<float> positions;
+    double length_m = 0;
+    const size_t count = flight.corners.size() / 3;
+    for (size_t i = 0; i < count; ++i) {
+        double v[3], on[3];
+        for (size_t k = 0; k < 3; ++k) {
+            v[k] = flight.corners[3 * i + k] - place_.position[k];
+            on[k] = flight.corners[3 * ((i + 1) % count) + k] - flight.corners[3 * i + k];
+        }
+        length_m += std::sqrt(on[0] * on[0] + on[1] * on[1] + on[2] * on[2]);
+        const double t[3] = {2 * (y * v[2] - z * v[1]), 2 * (z * v[0] - x * v[2]), 2 * (x * v[1] - y * v[0])};
+        const double turned[3] = {v[0] + w * t[0] + y * t[2] - z * t[1], v[1] + w * t[1] + z * t[0] - x * t[2],
+                                  v[2] + w * t[2] + x * t[1] - y * t[0]};
+        for (const double one : turned)
+            positions.push_back(static_cast<float>(one / static_cast<double>(place_.scale)));
+    }
+    clq_root_path_def def = clq_root_path_def_init();
+    def.count = static_cast<uint32_t>(count), def.positions = positions.data();
+    def.duration_s = static_cast<float>(std::max(0.1, 100 * length_m / static_cast<double>(speed_cm_s)));
+    clq_root_path made = {};
+    check(clq_crowd_add_root_path(crowd_, &def, &made));
+    return flights_[speed_cm_s] = made;
 }
 
 void Performer::carry(const std::vector<Carried> &load)

@@ -5,6 +5,7 @@
 
 #include "samples/scenes/roles/performer.h"
 #include "samples/scenes/sky.h"
+#include "samples/scenes/studio_ground.h"
 
 namespace scenes::roles
 {
@@ -101,27 +102,7 @@ private:
             reach_ = std::max(reach_, std::hypot(other.at[0] - person.at[0], other.at[2] - person.at[2]) / 2);
     }
 
-    void lay_ground()
-    {
-        constexpr int cells = 24;
-        const Rgb near = {0.60f, 0.59f, 0.57f}, far = Sky::backdrop;
-        const auto line = [&](int i) { return (4 + reach_) * 60 * std::pow(2.0 * i / cells - 1, 3.0); };
-        for (int row = 0; row <= cells; ++row)
-            for (int column = 0; column <= cells; ++column) {
-                const double x = line(column), z = line(row);
-                const float k = static_cast<float>(std::min(1.0, std::hypot(x, z) / (16 + 4 * reach_)));
-                ground_.add(
-                    {static_cast<float>(middle_[0] + x), static_cast<float>(low()), static_cast<float>(middle_[2] + z)},
-                    {0, 1, 0}, 0, 0,
-                    {near.r + (far.r - near.r) * k, near.g + (far.g - near.g) * k, near.b + (far.b - near.b) * k});
-            }
-        for (uint32_t row = 0; row < cells; ++row)
-            for (uint32_t column = 0; column < cells; ++column) {
-                const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
-                ground_.triangle(a, below, below + 1);
-                ground_.triangle(a, below + 1, a + 1);
-            }
-    }
+    void lay_ground() { lay_studio_ground(ground_, middle_[0], low(), middle_[2], 60 * (4 + reach_), 16 + 4 * reach_); }
 
     double low() const
     {

@@ -39,8 +39,6 @@ public:
     // How far the ground has moved, metres.
     double ground_m(double time_s) const;
     clq_track_state state(double time_s) const;
-    const Home &home() const { return home_; }
-    double speed_m_s() const { return speed_m_s_; }
     // Measured at the first call.
     const FootDrift &drift();
 

@@ -19,13 +19,6 @@ namespace scenes::walkers
 namespace
 {
 
-const char *const builtin_names[] = {"citizen", "patrician", "decurion", "plebeian", "herald", "owl"};
-
-bool is_builtin(const std::string &name)
-{
-    return std::find(std::begin(builtin_names), std::end(builtin_names), name) != std::end(builtin_names);
-}
-
 // Gives a record the characters of its names: built-in ones, with levels of detail where it was recorded with them, and
 // those of the user.
 class Cast

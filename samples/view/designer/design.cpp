@@ -136,10 +136,15 @@ std::optional<clq_hsb_range> range_of_hex(clq_context *context, const std::strin
     return read_design(context, toml, text).classes[0]->zones[0].palette[0].range;
 }
 
-void rgb_of(const clq_hsb_range &range, float (&out)[3])
+float middle_hue_deg(const clq_hsb_range &range)
 {
     const float width = range.hue_max_deg - range.hue_min_deg + (range.hue_min_deg > range.hue_max_deg ? 360.0f : 0.0f);
-    const float hue = (range.hue_min_deg + width / 2) / 360, s = (range.saturation_min + range.saturation_max) / 2,
+    return range.hue_min_deg + width / 2;
+}
+
+void rgb_of(const clq_hsb_range &range, float (&out)[3])
+{
+    const float hue = middle_hue_deg(range) / 360, s = (range.saturation_min + range.saturation_max) / 2,
                 b = (range.brightness_min + range.brightness_max) / 2;
     // Each channel is full for a third of the circle about its own hue and falls off over a sixth on both sides.
     for (int channel = 0; channel < 3; ++channel) {

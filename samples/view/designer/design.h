@@ -55,6 +55,7 @@ std::string design_text(clq_context *context, const Design &design);
 std::optional<clq_hsb_range> range_of_hex(clq_context *context, const std::string &text);
 // That text for the middle of a range.
 std::string hex_of(const clq_hsb_range &range);
+float middle_hue_deg(const clq_hsb_range &range);          // may be more than 360 where the range wraps
 void rgb_of(const clq_hsb_range &range, float (&out)[3]);  // of its middle
 
 }  // namespace view

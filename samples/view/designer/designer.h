@@ -56,6 +56,8 @@ const ColourClass *chosen_class(const Designer &designer);
 const ZoneColours *chosen_zone(const Designer &designer);
 // The palette that the chosen zone shows: its own, or that of the zone it is linked to; null: the template's range.
 const std::vector<clq_palette_entry> *shown_palette(const Designer &designer);
+// The same, or the template's own colours as a palette of one.
+std::vector<clq_palette_entry> palette_of(const Designer &designer, const clq_hsb_range &own);
 // The zones of the class that another one may be linked to.
 std::vector<std::string> leaders_for(const ColourClass &colours, const std::string &zone);
 

@@ -53,12 +53,6 @@ void edit_class(Designer &d, const std::string &by, const std::function<void(Col
     take_design(d, std::move(next), by);
 }
 
-std::vector<clq_palette_entry> palette_of(const Designer &d, const clq_hsb_range &own)
-{
-    const auto *shown = shown_palette(d);
-    return shown ? *shown : std::vector<clq_palette_entry>{{own, 1}};
-}
-
 void edit_zone(Designer &d, const clq_hsb_range &own, const std::string &by,
                const std::function<void(ZoneColours &)> &edit)
 {
@@ -111,6 +105,12 @@ const std::vector<clq_palette_entry> *shown_palette(const Designer &designer)
     return leader ? &leader->palette : nullptr;
 }
 
+std::vector<clq_palette_entry> palette_of(const Designer &d, const clq_hsb_range &own)
+{
+    const auto *shown = shown_palette(d);
+    return shown ? *shown : std::vector<clq_palette_entry>{{own, 1}};
+}
+
 std::vector<std::string> leaders_for(const ColourClass &colours, const std::string &zone)
 {
     std::vector<std::string> names;
@@ -137,7 +137,7 @@ uint32_t shown_set(const Designer &designer)
 SharedMap painted_map(const Designer &designer)
 {
     for (const SharedMap &map : designer.design.maps)
-        if (map->tmpl == designer.tmpl && map->set_ == shown_set(designer) && map->texture == designer.texture)
+        if (map->tmpl == designer.tmpl && map->texture_set == shown_set(designer) && map->texture == designer.texture)
             return map;
     return nullptr;
 }
@@ -147,7 +147,8 @@ void set_zone_map(Designer &designer, SharedMap map, const std::string &by)
     Design next = designer.design;
     SharedMap *place = nullptr;
     for (SharedMap &one : next.maps)
-        if (one->tmpl == map->tmpl && one->set_ == map->set_ && one->texture == map->texture) place = &one;
+        if (one->tmpl == map->tmpl && one->texture_set == map->texture_set && one->texture == map->texture)
+            place = &one;
     if (place) *place = std::move(map);
     else next.maps.push_back(std::move(map));
     take_design(designer, std::move(next), by);

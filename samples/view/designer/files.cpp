@@ -37,12 +37,16 @@ void keep_zones(Designer &designer, const std::string &folder, const SavePicture
         save_picture(folder + "/" + name + ".png", rgb, static_cast<int>(map->width()),
                      static_cast<int>(map->height()));
         std::string options = "--zones " + name + ".png";
+        std::string lost;
         for (size_t k = 0; k < colours.size(); ++k) {
+            if (colours[k].empty()) lost += (lost.empty() ? "" : ", ") + map->names[k];
+            if (colours[k].empty()) continue;
             options += " --zone " + quoted(colours[k] + "=" + map->names[k]);
             if (map->reduced) options += " --reduce " + quoted(map->names[k]);
         }
         save(folder + "/" + name + ".txt", options + "\n");
         message = name + ".png is saved, and " + name + ".txt with its options for claque prepare";
+        if (!lost.empty()) message += "; too small to be read again: " + lost;
     } catch (const scenes::Failure &failure) {
         message = failure.what();
     }

@@ -1,4 +1,4 @@
-// Colour maps as files of the designer.
+// The files of the designer: colour maps, and painted zones.
 #pragma once
 
 #include <functional>

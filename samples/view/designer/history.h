@@ -5,7 +5,6 @@
 #include <deque>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace view
 {

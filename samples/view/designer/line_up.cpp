@@ -7,6 +7,7 @@
 #include "samples/scenes/random.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
+#include "samples/scenes/studio_ground.h"
 
 namespace view
 {
@@ -115,7 +116,6 @@ private:
     clq_play standing(const clq_template *tmpl, size_t who) const
     {
         clq_play play = {};
-        play.clip = CLQ_NONE;
         const char *const names[] = {"stand", "stand_look", "stand_shift"};
         play.clip = clq_template_find_clip(tmpl, names[who / characters_.size() % 3]);
         if (play.clip == CLQ_NONE) play.clip = clq_template_find_clip(tmpl, "idle");
@@ -157,27 +157,9 @@ private:
 
     void lay_ground()
     {
-        constexpr scenes::Rgb near = {0.60f, 0.59f, 0.57f}, far = scenes::Sky::backdrop;
-        constexpr int cells = 24;
-        const double reach = 3 + 1.2 * (width_m_ + rows_ * deep_m), half = 40 * reach;
+        const double reach = 3 + 1.2 * (width_m_ + rows_ * deep_m);
         ground_.clear();
-        // Cells grow outwards, so that the fade into the backdrop is smooth near and cheap far away.
-        const auto line = [&](int i) { return half * std::pow(2.0 * i / cells - 1, 3); };
-        for (int row = 0; row <= cells; ++row)
-            for (int column = 0; column <= cells; ++column) {
-                const double x = line(column), z = line(row);
-                const double t = std::min(1.0, std::sqrt(x * x + z * z) / (4 * reach));
-                const float k = static_cast<float>(t * t * (3 - 2 * t));
-                ground_.add(
-                    {static_cast<float>(x), 0, static_cast<float>(z)}, {0, 1, 0}, 0, 0,
-                    {near.r + (far.r - near.r) * k, near.g + (far.g - near.g) * k, near.b + (far.b - near.b) * k});
-            }
-        for (uint32_t row = 0; row < cells; ++row)
-            for (uint32_t column = 0; column < cells; ++column) {
-                const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
-                ground_.triangle(a, below, below + 1);
-                ground_.triangle(a, below + 1, a + 1);
-            }
+        scenes::lay_studio_ground(ground_, 0, 0, 0, 40 * reach, 4 * reach);
     }
 
     uint64_t seed_;

@@ -133,7 +133,7 @@ SharedMap proposed(const clq_asset *asset, const ZoneMap &over, uint32_t most_zo
     proposal.rgb = means.data();
     scenes::check(clq_asset_propose_zones(asset, number, &proposal));
     const auto made = std::make_shared<ZoneMap>(over.width(), over.height());
-    made->tmpl = over.tmpl, made->set_ = over.set_, made->texture = over.texture;
+    made->tmpl = over.tmpl, made->texture_set = over.texture_set, made->texture = over.texture;
     made->light = over.light;
     made->reduced = true;
     for (uint32_t k = 0; k < proposal.zone_count; ++k) made->names.push_back("zone " + std::to_string(k + 1));

@@ -209,8 +209,7 @@ void range(Ui &ui, Designer &d, const World &world, const clq_hsb_range &own, cl
 // The circle and the box come first: nothing above them grows or shrinks while they are dragged.
 void colours(Ui &ui, Designer &d, const World &world, const clq_hsb_range &own)
 {
-    const auto *shown = shown_palette(d);
-    const std::vector<clq_palette_entry> palette = shown ? *shown : std::vector<clq_palette_entry>{{own, 1}};
+    const std::vector<clq_palette_entry> palette = palette_of(d, own);
     d.entry = std::min(d.entry, palette.size() - 1);
     range(ui, d, world, own, palette[d.entry].range);
     entries(ui, d, own, palette);

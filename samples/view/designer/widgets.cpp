@@ -77,8 +77,7 @@ void draw_shades(const ImVec2 &low, float side, const clq_hsb_range &range, floa
 {
     ImDrawList &list = *ImGui::GetWindowDrawList();
     const ImVec2 high(low.x + side, low.y + side);
-    const float width = range.hue_max_deg - range.hue_min_deg + (range.hue_min_deg > range.hue_max_deg ? 360.0f : 0.0f);
-    const ImU32 hue = hsb_colour(range.hue_min_deg + width / 2, 1, 1), white = IM_COL32(255, 255, 255, 255);
+    const ImU32 hue = hsb_colour(middle_hue_deg(range), 1, 1), white = IM_COL32(255, 255, 255, 255);
     const ImU32 clear = IM_COL32(0, 0, 0, 0), black = IM_COL32(0, 0, 0, 255), shade = IM_COL32(0, 0, 0, 150);
     list.AddRectFilledMultiColor(low, high, white, hue, hue, white);
     list.AddRectFilledMultiColor(low, high, clear, clear, black, black);
@@ -99,16 +98,12 @@ float hundredth(float share) { return std::round(std::clamp(share, 0.0f, 1.0f) *
 
 void arc_of(const Sweep &sweep, float &from_deg, float &to_deg)
 {
-    if (std::fabs(sweep.swept) >= 360) {
-        from_deg = 0, to_deg = 360;
-        return;
-    }
-    const auto whole = [](float degrees) {
-        const float rounded = std::fmod(std::round(degrees) + 720, 360.0f);
-        return rounded;
-    };
+    const auto whole = [](float degrees) { return std::fmod(std::round(degrees) + 720, 360.0f); };
     from_deg = whole(sweep.swept < 0 ? sweep.start + sweep.swept : sweep.start);
     to_deg = whole(sweep.swept < 0 ? sweep.start : sweep.start + sweep.swept);
+    // All hues; also where both ends are rounded to one degree after nearly a turn.
+    if (std::fabs(sweep.swept) >= 360 || (std::fabs(sweep.swept) > 180 && from_deg == to_deg))
+        from_deg = 0, to_deg = 360;
 }
 
 bool hue_arc(Ui &ui, const char *name, float side, Sweep &sweep, clq_hsb_range &range)

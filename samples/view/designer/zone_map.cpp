@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <map>
 #include <numeric>
 
 #include "samples/scenes/check.h"
+#include "samples/scenes/zone_inks.h"
 
 namespace view
 {
@@ -125,7 +125,7 @@ uint8_t ZoneMap::zone(const std::string &name)
 
 bool operator==(const ZoneMap &a, const ZoneMap &b)
 {
-    if (a.tmpl != b.tmpl || a.set_ != b.set_ || a.texture != b.texture || a.names != b.names ||
+    if (a.tmpl != b.tmpl || a.texture_set != b.texture_set || a.texture != b.texture || a.names != b.names ||
         a.reduced != b.reduced || a.width_ != b.width_ || a.height_ != b.height_)
         return false;
     for (size_t k = 0; k < a.tiles_.size(); ++k)
@@ -191,24 +191,14 @@ std::vector<uint8_t> picture_of(const ZoneMap &map, std::vector<std::string> &co
         spread(at >= map.width(), at - map.width());
         spread(at + map.width() < texels.size(), at + map.width());
     }
-    // Hues by the golden angle, alternating light and dark.
-    std::vector<std::array<uint8_t, 3>> inks;
-    colours.clear();
-    for (size_t zone = 0; zone < map.names.size(); ++zone) {
-        const double turn = 0.02 + 0.6180339887498949 * static_cast<double>(zone), hue = 6 * (turn - std::floor(turn));
-        std::array<uint8_t, 3> &ink = inks.emplace_back();
-        for (size_t k = 0; k < 3; ++k) {
-            const double away = std::abs(std::fmod(hue - 2 * static_cast<double>(k) + 9, 6.0) - 3);
-            ink[k] = static_cast<uint8_t>(
-                255 * (zone % 2 == 0 ? 0.95 : 0.68) * (0.25 + 0.75 * std::clamp(2 - away, 0.0, 1.0)) + 0.5);
-        }
-        char text[8];
-        std::snprintf(text, sizeof text, "#%02x%02x%02x", ink[0], ink[1], ink[2]);
-        colours.emplace_back(text);
+    colours.assign(map.names.size(), "");
+    for (size_t zone = 0; zone < colours.size(); ++zone) {
+        const auto covered = static_cast<size_t>(std::count(texels.begin(), texels.end(), zone));
+        if (covered * min_zone_share >= texels.size()) colours[zone] = scenes::hex_of(scenes::zone_ink(zone));
     }
     std::vector<uint8_t> rgb;
     for (const uint16_t zone : texels) {
-        const std::array<uint8_t, 3> ink = zone < inks.size() ? inks[zone] : std::array<uint8_t, 3>{};
+        const scenes::Ink ink = zone == CLQ_NO_ZONE ? scenes::Ink{} : scenes::zone_ink(zone);
         rgb.insert(rgb.end(), ink.begin(), ink.end());
     }
     return rgb;

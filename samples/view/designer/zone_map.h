@@ -27,9 +27,9 @@ public:
     // The number of a name, which is added if it is not there; `none` if there are 255 already.
     uint8_t zone(const std::string &name);
 
-    std::string tmpl;                // whose texture it is
-    uint32_t set_ = 0, texture = 0;  // of the template
-    std::vector<std::string> names;  // of the zones
+    std::string tmpl;                       // whose texture it is
+    uint32_t texture_set = 0, texture = 0;  // of the template
+    std::vector<std::string> names;         // of the zones
     std::vector<clq_hsb_range> ranges;
     bool reduced = false;                               // texels become grey, so that zones take any colour
     std::shared_ptr<const std::vector<uint8_t>> light;  // [3 * width * height] what the texture shows
@@ -55,10 +55,14 @@ void stroke(ZoneMap &map, uint8_t zone, const float (&from)[2], const float (&to
 // All texels of the triangles that hang together on the texture and hold a place of it. Returns false if none does.
 bool fill_island(ZoneMap &map, uint8_t zone, const clq_template *tmpl, float u, float v);
 
+// A zone covers at least one texel in so many, or it is lost in a picture.
+constexpr size_t min_zone_share = 2000;
+
 // For clq_zone_map_def.
 std::vector<uint16_t> texels_of(const ZoneMap &map);
 // The map as a picture in which each zone has a colour of its own, three bytes a texel; texels without a zone take a
-// zone beside them. `colours`: by zone, as "#f2523d".
+// zone beside them. `colours`: by zone, as "#f2523d"; empty for a zone that covers less than a two-thousandth of the
+// picture, because `claque prepare` takes such a colour for a soft edge.
 std::vector<uint8_t> picture_of(const ZoneMap &map, std::vector<std::string> &colours);
 
 }  // namespace view

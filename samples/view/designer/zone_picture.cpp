@@ -104,7 +104,7 @@ std::shared_ptr<ZoneMap> ZonePicture::painted() const
     if (map) return std::make_shared<ZoneMap>(*map);
     auto made = std::make_shared<ZoneMap>(width_px, height_px);
     made->tmpl = owner;
-    made->set_ = set, made->texture = texture;
+    made->texture_set = set, made->texture = texture;
     made->light = light;
     const Named own = zones_of(tmpl);
     for (size_t k = 0; k < own.names.size() && k < ZoneMap::none; ++k) {

@@ -14,14 +14,6 @@ namespace
 
 using scenes::check;
 
-scenes::Own<clq_asset> load(scenes::Library &library, const std::string &file)
-{
-    clq_asset *made = nullptr;
-    if (file.find_first_of("./") == std::string::npos) check(clq_asset_builtin(library.context(), file.c_str(), &made));
-    else check(clq_asset_load_file(library.context(), file.c_str(), nullptr, &made), file);
-    return scenes::Own<clq_asset>(made);
-}
-
 // Edges that one triangle alone has.
 uint32_t count_open_edges(const clq_template *tmpl)
 {
@@ -106,10 +98,9 @@ void take_own_levels(const clq_template *tmpl, Findings &out)
 
 }  // namespace
 
-Findings examine(scenes::Library &library, const clq_template *tmpl, const std::string &file)
+Findings examine(scenes::Library &library, const clq_template *tmpl, const scenes::Own<clq_asset> &asset)
 {
     Findings out;
-    const scenes::Own<clq_asset> asset = load(library, file);
     for (uint32_t i = 0; *clq_asset_get_warning(asset.get(), i) != 0; ++i)
         out.warnings.emplace_back(clq_asset_get_warning(asset.get(), i));
     out.open_edges = count_open_edges(tmpl);

@@ -32,8 +32,7 @@ struct Findings {
     scenes::Own<clq_template> levelled;  // the character with levels that were made
 };
 
-// Makes the character anew with levels of detail, which takes a second or more. `file`: of the character, or the name
-// of a built-in one. Throws scenes::Failure.
-Findings examine(scenes::Library &library, const clq_template *tmpl, const std::string &file);
+// Gives the asset of a template levels of detail, which takes a second or more. Throws scenes::Failure.
+Findings examine(scenes::Library &library, const clq_template *tmpl, const scenes::Own<clq_asset> &asset);
 
 }  // namespace view

@@ -37,7 +37,7 @@ struct GroundSections {
 };
 
 struct Ground {
-    std::map<uint32_t, scenes::roles::Role> roles;  // by index1; those who were told nothing have none
+    std::map<uint32_t, scenes::roles::Role> roles;  // by index1; only of individuals that were given one
     GroundSections open;
     Tool tool = Tool::camera;
     std::optional<std::array<float, 2>> touch;  // with a tool, in this frame: a point of the picture, -1 to 1

@@ -18,7 +18,7 @@ void ground_panels(Ui &ui, Model &model, const World &world)
     const auto section = [&](const char *name, bool &is_open, auto &&panel) {
         if (!ui.section(name, is_open)) return;
         if (!picked) return ui.faint("Click a person in the picture.");
-        // What nobody touched leaves no role behind.
+        // A role that no widget changed is not kept.
         const bool had = model.ground.roles.count(model.picked.actor.index1) != 0;
         scenes::roles::Role &role = *picked_role(model, world);
         const scenes::roles::Role before = role;

@@ -1,5 +1,6 @@
 #include "samples/view/ground/level_row.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "samples/scenes/roles/performer.h"

@@ -13,8 +13,6 @@ namespace
 
 using scenes::roles::Person;
 
-const char *const builtins[] = {"citizen", "patrician", "decurion", "plebeian", "herald", "owl"};
-
 Person person_of(const World &world, const Model &model, clq_actor actor)
 {
     clq_actor_info info = clq_actor_info_init();
@@ -62,8 +60,7 @@ std::string character_of(const World &world, const clq_template *tmpl)
     if (tmpl == world.character() && !world.character_file().empty()) return world.character_file();
     clq_template_info info = clq_template_info_init();
     scenes::check(clq_template_get_info(tmpl, &info));
-    for (const char *name : builtins)
-        if (std::string(name) == info.name) return name;
+    if (scenes::is_builtin(info.name)) return info.name;
     throw scenes::Failure("the character " + std::string(info.name) + " comes from no file that a scenario could name");
 }
 

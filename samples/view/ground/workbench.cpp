@@ -11,7 +11,7 @@ using namespace scenes::roles;
 namespace
 {
 
-constexpr double least_step_m = 0.5;  // between corners of a path that is drawn with one stroke
+constexpr double min_step_m = 0.5;  // between corners of a path that is drawn with one stroke
 
 }  // namespace
 
@@ -37,9 +37,9 @@ Kit *Workbench::kit_of(const clq_template *tmpl)
     return kit.get();
 }
 
-Performer *Workbench::performer_of(uint32_t index1, clq_actor actor)
+Performer *Workbench::performer_of(clq_actor actor)
 {
-    One &one = performers_[index1];
+    One &one = performers_[actor.index1];
     if (one.performer && one.actor.generation == actor.generation) return one.performer.get();
     one.performer.reset();
     one.actor = actor;
@@ -60,10 +60,10 @@ Role &Workbench::role_of(Model &model, clq_actor actor) const
 void Workbench::act(Model &model)
 {
     const clq_actor picked = model.picked.actor;
-    if (picked.index1 != 0) actors_[picked.index1] = picked;
+    if (picked.index1 != 0) performer_of(picked);
     for (auto &[index1, role] : model.ground.roles) {
-        const auto actor = actors_.find(index1);
-        Performer *performer = actor == actors_.end() ? nullptr : performer_of(index1, actor->second);
+        const auto known = performers_.find(index1);
+        Performer *performer = known == performers_.end() ? nullptr : performer_of(known->second.actor);
         if (!performer) continue;
         try {
             performer->perform(role, model.clock.time_s);
@@ -143,7 +143,7 @@ void Workbench::touch(Model &model, const clq_camera &camera)
         }
         const double x = ray.origin[0] + away * ray.direction[0], z = ray.origin[2] + away * ray.direction[2];
         const size_t count = corners.size();
-        const bool near = count >= 3 && std::hypot(x - corners[count - 3], z - corners[count - 1]) < least_step_m;
+        const bool near = count >= 3 && std::hypot(x - corners[count - 3], z - corners[count - 1]) < min_step_m;
         if (!near) corners.insert(corners.end(), {x, height, z});
     }
 }

@@ -32,7 +32,7 @@ public:
     static void watch(Model &model, const scenes::Scene &scene);
 
 private:
-    scenes::roles::Performer *performer_of(uint32_t index1, clq_actor actor);
+    scenes::roles::Performer *performer_of(clq_actor actor);
     scenes::roles::Kit *kit_of(const clq_template *tmpl);
     void tell(Model &model);
 
@@ -44,8 +44,7 @@ private:
         clq_actor actor;
         std::unique_ptr<scenes::roles::Performer> performer;
     };
-    std::map<uint32_t, One> performers_;  // by index1
-    std::map<uint32_t, clq_actor> actors_;
+    std::map<uint32_t, One> performers_;  // by index1; of individuals that were picked
 };
 
 // A fade more: the oldest one is over by now.

@@ -20,7 +20,9 @@ void World::show_levels(Model &model)
     const bool picked = find(model.picked.actor, info);
     if (model.ground.examine && picked && findings_.count(info.tmpl) == 0) {
         try {
-            findings_.emplace(info.tmpl, examine(*library_, info.tmpl, character_of(*this, info.tmpl)));
+            const std::string character = character_of(*this, info.tmpl);
+            if (!opened_.asset_of) throw scenes::Failure(character + " cannot be read again to be examined");
+            findings_.emplace(info.tmpl, examine(*library_, info.tmpl, opened_.asset_of(*library_, character)));
         } catch (const scenes::Failure &failure) {
             model.message = failure.what();
         }

@@ -23,7 +23,7 @@ public:
           name_(surface_->name() + ", served"),
           last_(Clock::now())
     {
-        size_.width = width, size_.height = height;
+        input_.width = width, input_.height = height;
     }
 
     GetProcAddress get_proc_address() const override { return surface_->get_proc_address(); }
@@ -41,16 +41,16 @@ public:
             last_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(pace_s));
         std::this_thread::sleep_until(due);
         const Clock::time_point now = Clock::now();
-        size_.elapsed_s = std::chrono::duration<double>(now - last_).count();
+        input_.elapsed_s = std::chrono::duration<double>(now - last_).count();
         last_ = now;
-        queue_.next(size_);
-        input = size_;
+        queue_.next(input_);
+        input = input_;
         return true;
     }
     void show() override
     {
         std::vector<uint8_t> rgb;
-        surface_->read(0, size_.width, size_.height, rgb);
+        surface_->read(0, input_.width, input_.height, rgb);
         server_.show(std::move(rgb));
     }
     const Server &server() const { return server_; }
@@ -60,7 +60,7 @@ private:
     InputQueue queue_;
     Server server_;
     std::string name_;
-    Input size_;
+    Input input_;
     Clock::time_point last_;
 };
 
