@@ -106,7 +106,7 @@ std::string camera_of(const RenderArguments &a, const scenes::SceneOptions &opti
 {
     if (options.shot == scenes::Shot::path) return "path";
     if (options.shot == scenes::Shot::close) return "close";
-    if (!followed_by(a.setup.camera).empty()) return a.setup.camera;
+    if (!followed_by(a.setup.camera).empty() || !options.viewpoint.empty()) return a.setup.camera;
     const bool follows = a.setup.described && a.setup.camera.empty() && !a.setup.described->follow.empty();
     return follows ? "follow:" + a.setup.described->follow : "overview";
 }

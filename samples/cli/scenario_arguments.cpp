@@ -38,12 +38,18 @@ std::string followed_by(const std::string &camera)
     return camera.rfind(follow, 0) == 0 ? camera.substr(follow.size()) : "";
 }
 
+std::string viewpoint_of(const std::string &camera)
+{
+    const std::string at = "at:";
+    return camera.rfind(at, 0) == 0 ? camera.substr(at.size()) : "";
+}
+
 std::string check_camera(const std::string &text)
 {
     for (const char *name : {"overview", "close", "path"})
         if (text == name) return {};
-    if (!followed_by(text).empty()) return {};
-    return "'" + text + "' is no camera: overview, close, path or follow:ID";
+    if (!followed_by(text).empty() || !viewpoint_of(text).empty()) return {};
+    return "'" + text + "' is no camera: overview, close, path, at:PLACE or follow:ID";
 }
 
 void expect_followed(const SceneArguments &a)

@@ -7,41 +7,6 @@
 
 namespace cli
 {
-namespace
-{
-
-constexpr int largest_side_px = 16384;
-
-// Parses "1024x768" into two numbers; returns an error message for CLI11 otherwise.
-std::string read_size(const std::string &text, int &width, int &height)
-{
-    const size_t x = text.find('x');
-    const auto number = [](const std::string &digits) {
-        if (digits.empty() || digits.size() > 5 || digits.find_first_not_of("0123456789") != std::string::npos)
-            return 0;
-        return std::stoi(digits);
-    };
-    width = x == std::string::npos ? 0 : number(text.substr(0, x));
-    height = x == std::string::npos ? 0 : number(text.substr(x + 1));
-    if (width >= 1 && height >= 1 && width <= largest_side_px && height <= largest_side_px) return {};
-    return "'" + text + "' is not a size like 1024x768, each side 1 to " + std::to_string(largest_side_px);
-}
-
-}  // namespace
-
-void add_size_option(CLI::App &command, int &width, int &height)
-{
-    command
-        .add_option_function<std::string>(
-            "--size",
-            [&width, &height](const std::string &text) {
-                const std::string wrong = read_size(text, width, height);
-                if (!wrong.empty()) throw CLI::ValidationError("--size", wrong);
-            },
-            "Size of the picture in pixels (default " + std::to_string(width) + "x" + std::to_string(height) + ")")
-        ->type_name("WxH");
-}
-
 void add_hide_option(CLI::App &command, SceneArguments &a)
 {
     command
@@ -55,10 +20,13 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
     add_size_option(command, a.width, a.height);
     command
         .add_option("--camera", a.camera,
-                    "View of the scene: overview, close, path, or on tracks follow:ID over a person's shoulder "
+                    "View of the scene: overview, close, path, a place of the amphitheatre (at:above, at:emperor, "
+                    "at:top-row, at:arena), or on tracks follow:ID over a person's shoulder "
                     "(default overview; path if --path is given, or if the scene has a path and frames are requested)")
         ->check(CLI::Validator(check_camera, ""))
         ->type_name("VIEW");
+    command.add_option("--hour", a.hour, "Hour of the day, in the amphitheatre: where its sun stands")
+        ->check(CLI::Range(5.5, 18.5));
     command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
     command.add_option("--context", a.context, "Source of OpenGL; any: OSMesa if it is there, else EGL")
         ->check(CLI::IsMember({"any", "osmesa", "egl"}))
@@ -156,6 +124,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     if (a.count == 0 && !a.described)
         for (const scenes::SceneEntry &entry : scenes::scene_entries())
             if (options.scene == entry.name) options.crowd_options.count = entry.default_count;
+    options.crowd_options.hour = a.hour;
     options.crowd_options.seed = a.seed;
     options.crowd_options.cache = cache_named(a.cache);
     options.crowd_options.cache_budget_bytes = a.budget_mib << 20;
@@ -176,6 +145,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     options.shot = a.camera == "close"                     ? scenes::Shot::close
                    : a.camera == "path" || !a.path.empty() ? scenes::Shot::path
                                                            : scenes::Shot::overview;
+    options.viewpoint = viewpoint_of(a.camera);
     if (!a.path.empty()) options.path.emplace(text_of(a.path), a.path);
     else if (options.shot == scenes::Shot::path && a.described) options.path = a.described->path;
     else if (options.shot == scenes::Shot::path)

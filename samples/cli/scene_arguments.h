@@ -41,6 +41,7 @@ struct SceneArguments {
     double blob_from_m = 40;
     uint32_t flush_triangles = 0, flat_triangles = 64;
     double lod_scale = 1;
+    double hour = 0;  // 0: not given
 
     int width = 1024, height = 768;
 };
@@ -69,9 +70,10 @@ void expect_subject(const std::string &scene, const SceneArguments &arguments);
 void read_scenario(SceneArguments &arguments);
 // What makes its scene. A camera that is given replaces the scenario's own; follow:ID follows a person on tracks.
 MakeScene maker_of(const SceneArguments &arguments);
-// overview, close, path, or follow:ID. Returns "", or a sentence that says what is wrong.
+// overview, close, path, at:PLACE, or follow:ID. Returns "", or a sentence that says what is wrong.
 std::string check_camera(const std::string &text);
-std::string followed_by(const std::string &camera);  // the ID of follow:ID; empty: it follows no one
+std::string viewpoint_of(const std::string &camera);  // the PLACE of at:PLACE; empty: it has no name
+std::string followed_by(const std::string &camera);   // the ID of follow:ID; empty: it follows no one
 // Throws CLI::ValidationError if the camera follows a person in a scene without tracks.
 void expect_followed(const SceneArguments &arguments);
 // Whether its people sit in a theatre.

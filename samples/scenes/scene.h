@@ -39,6 +39,12 @@ public:
     virtual std::vector<clq_actor> actors() const { return {}; }
     virtual std::vector<clq_template *> templates() const = 0;
     virtual clq_camera camera(Shot shot, double aspect, double time_s) const = 0;
+    // Places of the scene that have names, and the camera at one of them.
+    virtual std::vector<std::string> viewpoints() const { return {}; }
+    virtual clq_camera camera_from(const std::string &, double aspect, double time_s) const
+    {
+        return camera(Shot::overview, aspect, time_s);
+    }
 
     // Moves the individuals to their positions at this time; call it before clq_crowd_update.
     virtual void place(double time_s) = 0;
@@ -84,6 +90,8 @@ std::unique_ptr<Scene> make_hundred_actors(Library &library, const CrowdOptions 
                                            const Character &character);
 std::unique_ptr<Scene> make_multitude(Library &library, const CrowdOptions &crowd_options, const Character &character);
 std::unique_ptr<Scene> make_ten_thousand(Library &library, const CrowdOptions &crowd_options,
+                                         const Character &character);
+std::unique_ptr<Scene> make_amphitheatre(Library &library, const CrowdOptions &crowd_options,
                                          const Character &character);
 std::unique_ptr<Scene> make_parade(Library &library, const CrowdOptions &crowd_options, const Character &character);
 

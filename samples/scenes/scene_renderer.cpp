@@ -16,6 +16,7 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
         throw Failure("this OpenGL context lacks " + why_not);
     scene_ = options.make ? options.make(library, options.crowd_options)
                           : make_scene(options.scene, library, options.crowd_options, options.character);
+    if (!options_.viewpoint.empty()) expect_viewpoint();
     scene_->prepare(gl_);
     clq_view *view = nullptr;
     check(clq_view_create(scene_->crowd(), &view));
@@ -25,6 +26,17 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
     if (options.cull_scale < 1) scene_->cull_by(static_cast<double>(options.cull_scale));
     if (options.shadows.form != ShadowChoice::Form::painted) take_shadows();
     use_strategy(options.strategy);
+}
+
+void SceneRenderer::expect_viewpoint() const
+{
+    std::string names;
+    for (const std::string &name : scene_->viewpoints()) {
+        if (name == options_.viewpoint) return;
+        names += ", " + name;
+    }
+    throw Failure("the scene '" + options_.scene + "' has no camera '" + options_.viewpoint +
+                  "'; there are: overview, close" + names);
 }
 
 void SceneRenderer::take_shadows()
@@ -83,8 +95,9 @@ void SceneRenderer::update(double time_s)
 {
     scene_->place(time_s);
     const double aspect = static_cast<double>(options_.width) / options_.height;
-    clq_camera camera = options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
-                                                    : scene_->camera(options_.shot, aspect, time_s);
+    clq_camera camera = !options_.viewpoint.empty()   ? scene_->camera_from(options_.viewpoint, aspect, time_s)
+                        : options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
+                                                      : scene_->camera(options_.shot, aspect, time_s);
     // Divided by the distance in front of the eye, which is -z.
     camera.projection[8] -= static_cast<float>(2 * moved_px_[0] / options_.width);
     camera.projection[9] -= static_cast<float>(2 * moved_px_[1] / options_.height);

@@ -31,6 +31,7 @@ struct SceneOptions {
     Character character;
     Shot shot = Shot::overview;
     std::optional<CameraPath> path;  // for Shot::path, which needs one
+    std::string viewpoint;           // of the scene's viewpoints(), in place of the shot; empty: none
     int width = 1024, height = 768;
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
@@ -96,6 +97,7 @@ public:
     const std::optional<CameraPath> &path() const { return options_.path; }
 
 private:
+    void expect_viewpoint() const;
     void take_shadows();
     clq_shadow_stats send_shadows();
     clq_draw_stats send_crowd();
