@@ -167,14 +167,17 @@ base::Status Renderer::draw_checked(const draw::DrawList &list, DrawStats &stats
 
 void Renderer::destroy()
 {
-    if (open_ && check_current(gl_).ok())
+    if (open_ && check_current(gl_).ok()) {
         for (PreparedTemplate &prepared : templates_) delete_textures(gl_, prepared);
+        holes_.destroy(gl_);
+    }
     abandon();
 }
 
 void Renderer::abandon()
 {
     templates_.clear();
+    holes_.abandon();
     gl_ = Gl11();
     open_ = false;
 }

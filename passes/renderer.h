@@ -8,6 +8,7 @@
 #include "passes/preflight.h"
 #include "passes/shadow.h"
 #include "passes/shadow_drawer.h"
+#include "passes/visibility_drawer.h"
 
 namespace claque::passes
 {
@@ -16,7 +17,7 @@ class Renderer
 {
 public:
     Renderer(std::pmr::memory_resource *memory, const RendererOptions &options)
-        : options_(options), memory_(memory), templates_(memory), scratch_(memory)
+        : options_(options), memory_(memory), templates_(memory), scratch_(memory), holes_(memory), visibility_(memory)
     {
     }
     Renderer(const Renderer &) = delete;
@@ -49,6 +50,12 @@ public:
     // then.
     base::Status draw_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowStats *out_stats);
 
+    // Draws each triangle in the colour of its number. GL's state is restored in every guard mode; hooks are not called.
+    // `out_stats` may be null. Fails as draw(); CLQ_GL_STATE also if the target has less than 8 bits a channel or no
+    // depth; CLQ_OUT_OF_MEMORY also if there is no memory for corners or for the holes of textures, and nothing is
+    // drawn then.
+    base::Status draw_visibility(const draw::DrawList &list, const VisibilityOptions &options, DrawStats *out_stats);
+
     // Deletes the textures; the context must be current. open() may be called again.
     void destroy();
     // For a lost context: forgets everything without a GL call. open() may be called again in another context.
@@ -59,6 +66,7 @@ private:
     base::Status check_item(const draw::Item &item, const PreparedTemplate &prepared) const;
     StackEntries stack_entries_for(const draw::DrawList &list) const;
     base::Status check_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowTarget &target);
+    base::Status check_visibility(const draw::DrawList &list);
     base::Status add(const model::Template &tmpl);
     base::Status draw_checked(const draw::DrawList &list, DrawStats &stats);
 
@@ -69,6 +77,8 @@ private:
     bool open_ = false;
     Array<PreparedTemplate> templates_;
     Scratch scratch_;
+    HoleTextures holes_;
+    VisibilityArrays visibility_;
 };
 
 }  // namespace claque::passes

@@ -30,5 +30,6 @@
 #include <claque/track.h>
 #include <claque/update_times.h>
 #include <claque/view.h>
+#include <claque/visibility.h>
 
 #endif

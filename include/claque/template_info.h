@@ -99,6 +99,10 @@ CLQ_API clq_status clq_template_get_level(const clq_template *tmpl, uint32_t lev
  * Threads: any. GL: none. */
 CLQ_API const char *clq_template_get_texture_set_name(const clq_template *tmpl, uint32_t set);
 
+/* Returns the name of a node, which lives as long as the template; "" for a node without a name and beyond the last.
+ * Threads: any. GL: none. */
+CLQ_API const char *clq_template_get_node_name(const clq_template *tmpl, uint32_t node);
+
 /* Return the index of the thing with this name, or CLQ_NONE. Threads: any. GL: none. */
 CLQ_API uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name);
 CLQ_API uint32_t clq_template_find_zone(const clq_template *tmpl, const char *name);

@@ -218,6 +218,11 @@ uint32_t clq_template_find_clip(const clq_template *tmpl, const char *name)
     return tmpl && name ? tmpl->rig.find_clip(name) : CLQ_NONE;
 }
 
+const char *clq_template_get_node_name(const clq_template *tmpl, uint32_t node)
+{
+    return tmpl && node < tmpl->rig.node_names.size() ? tmpl->rig.node_names[node].c_str() : "";
+}
+
 uint32_t clq_template_find_node(const clq_template *tmpl, const char *name)
 {
     return tmpl && name ? tmpl->rig.find_node(name) : CLQ_NONE;

@@ -1,8 +1,8 @@
 #include "lib/scene/triangles.h"
 
-#include <cmath>
-
 #include <glm/geometric.hpp>
+
+#include "lib/model/texel_zone.h"
 
 namespace claque::scene
 {
@@ -22,20 +22,6 @@ glm::dvec3 position_of(const draw::Vertices &from, uint32_t vertex)
     glm::dvec3 out;
     for (int k = 0; k < 3; ++k) out[k] = double(from.offset[k] + from.step * static_cast<float>(p[k]));
     return out;
-}
-
-uint32_t texel_of(double at, uint32_t size, model::Wrap wrap)
-{
-    const double within = wrap == model::Wrap::repeat ? at - std::floor(at) : std::fmin(std::fmax(at, 0), 1);
-    return std::min(size - 1, static_cast<uint32_t>(within * size));
-}
-
-// The nearest texel, as the key test of drawing sees it.
-template <class Image>
-uint8_t alpha_in(const model::Texture &texture, const Image &image, double u, double v)
-{
-    const uint32_t x = texel_of(u, image.width, texture.wrap_s), y = texel_of(v, image.height, texture.wrap_t);
-    return image.rgba[4 * (size_t(y) * image.width + x) + 3];
 }
 
 class Search
@@ -101,15 +87,8 @@ private:
         for (int k = 0; k < 3; ++k)
             for (int j = 0; j < 2; ++j)
                 uv[j] += made.barycentric[k] * double(level_.uvs[2 * size_t(made.vertices[k]) + size_t(j)]);
-        const bool own = item_.texture_set == 0 || texture.set_images.empty();
-        const uint8_t alpha = own ? alpha_in(texture, texture, uv[0], uv[1])
-                                  : alpha_in(texture, texture.set_images[item_.texture_set - 1], uv[0], uv[1]);
-        for (const model::ZoneKey &key : texture.keys)
-            if (key.key == alpha) {
-                made.zone = key.zone;
-                return true;
-            }
-        return !texture.has_holes;
+        made.zone = model::texel_zone(texture, item_.texture_set, uv[0], uv[1]);
+        return made.zone != none || !texture.has_holes;
     }
 
     const draw::Item &item_;

@@ -36,6 +36,7 @@ void add_tracks(CLI::App &app, Work &chosen);
 void add_play(CLI::App &app, Work &chosen);
 void add_stage(CLI::App &app, Work &chosen);
 void add_frames(CLI::App &app, Work &chosen);
+void add_labels(CLI::App &app, Work &chosen);
 void add_view(CLI::App &app, Work &chosen);
 
 }  // namespace cli

@@ -16,6 +16,7 @@ SceneCrowd::SceneCrowd(Library &library, const CrowdOptions &crowd_options)
     def.vertex_format = crowd_options.vertex_format;
     def.key_poses = crowd_options.key_poses;
     def.lod_scale = crowd_options.lod_scale;
+    if (crowd_options.exact_poses) def.period_near_s = def.period_far_s = 0;
     clq_crowd *made = nullptr;
     check(clq_crowd_create(library.context(), &def, &made));
     crowd_.reset(made);

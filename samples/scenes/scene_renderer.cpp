@@ -91,13 +91,18 @@ clq_prepared_info SceneRenderer::prepared(const clq_template *tmpl) const
     return info;
 }
 
+clq_camera SceneRenderer::camera_at(double time_s) const
+{
+    const double aspect = static_cast<double>(options_.width) / options_.height;
+    if (!options_.viewpoint.empty()) return scene_->camera_from(options_.viewpoint, aspect, time_s);
+    return options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
+                                       : scene_->camera(options_.shot, aspect, time_s);
+}
+
 void SceneRenderer::update(double time_s)
 {
     scene_->place(time_s);
-    const double aspect = static_cast<double>(options_.width) / options_.height;
-    clq_camera camera = !options_.viewpoint.empty()   ? scene_->camera_from(options_.viewpoint, aspect, time_s)
-                        : options_.shot == Shot::path ? options_.path->camera(time_s, aspect)
-                                                      : scene_->camera(options_.shot, aspect, time_s);
+    clq_camera camera = camera_at(time_s);
     // Divided by the distance in front of the eye, which is -z.
     camera.projection[8] -= static_cast<float>(2 * moved_px_[0] / options_.width);
     camera.projection[9] -= static_cast<float>(2 * moved_px_[1] / options_.height);

@@ -84,13 +84,18 @@ public:
     // For several scenes in turn.
     void make_current();
 
+    // The camera at a time, and the individuals where they are then, for labels of other times; no list is made.
+    clq_camera camera_at(double time_s) const;
+    void place(double time_s) { scene_->place(time_s); }
+    clq_renderer *renderer() const { return renderer_; }
+
     clq_prepared_info prepared(const clq_template *tmpl) const;
     clq_crowd_stats crowd_stats() const;
     clq_view_stats view_stats() const;
     uint64_t view_hash() const;
     const std::string &context_name() const { return offscreen_->name(); }
     const Scene &scene() const { return *scene_; }
-    const clq_view *view() const { return view_.get(); }
+    clq_view *view() const { return view_.get(); }
     const Eye &eye() const { return eye_; }  // of the last update
     const contexts::Offscreen &offscreen() const { return *offscreen_; }
     const Gl &gl() const { return gl_; }

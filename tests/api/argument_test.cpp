@@ -75,6 +75,9 @@ TEST_F(Arguments, NullPointersAreRefusedByEveryCall)
     EXPECT_EQ(clq_renderer_create(context_, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw(nullptr, view_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_renderer_draw_shadows(nullptr, view_, nullptr, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_renderer_draw_visibility(nullptr, view_, nullptr, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_view_get_pixels(view_, nullptr, nullptr), CLQ_ARGUMENT);
+    EXPECT_EQ(clq_view_get_flow(view_, nullptr, nullptr, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_template_find_clip(nullptr, "bend"), CLQ_NONE);
     clq_crowd_destroy(nullptr), clq_template_destroy(nullptr), clq_renderer_destroy(nullptr), clq_view_destroy(nullptr);
     EXPECT_EQ(clq_context_destroy(nullptr), CLQ_OK);

@@ -232,60 +232,10 @@ void add_readers(std::vector<Call> &all)
     });
 }
 
-void add_views(std::vector<Call> &all)
-{
-    using O = const Objects &;
-    const auto view = [&](const char *name, std::function<clq_status(O)> run) {
-        all.push_back({name, Use::reads_view, std::move(run)});
-    };
-    view("clq_view_get_stats", [](O o) {
-        clq_view_stats stats = clq_view_stats_init();
-        return clq_view_get_stats(o.view, &stats);
-    });
-    view("clq_view_get_hash", [](O o) { return status_of(clq_view_get_hash(o.view)); });
-    view("clq_view_get_drawn_actor", [](O o) {
-        clq_drawn_actor drawn = clq_drawn_actor_init();
-        return clq_view_get_drawn_actor(o.view, 0, &drawn);
-    });
-    view("clq_view_get_arrays", [](O o) {
-        clq_drawn_arrays arrays = clq_drawn_arrays_init();
-        return clq_view_get_arrays(o.view, 0, &arrays);
-    });
-    view("clq_view_get_colours", [](O o) {
-        uint8_t rgb[6];
-        return clq_view_get_colours(o.view, 0, rgb, 2);
-    });
-    view("clq_view_get_vertices", [](O o) {
-        float positions[3 * 64];
-        return clq_view_get_vertices(o.view, 0, positions, nullptr, 64);
-    });
-    view("clq_view_get_palette", [](O o) {
-        float palette[12 * 8];
-        return clq_view_get_palette(o.view, 0, palette, 8);
-    });
-    view("clq_view_get_morph_weights", [](O o) { return clq_view_get_morph_weights(o.view, 0, nullptr, 0); });
-
-    const auto render = [&](const char *name, std::function<clq_status(O)> run) {
-        all.push_back({name, Use::renders, std::move(run)});
-    };
-    render("clq_renderer_prepare", [](O o) { return clq_renderer_prepare(o.renderer, o.world->templates[0]); });
-    render("clq_renderer_get_prepared", [](O o) {
-        clq_prepared_info info = clq_prepared_info_init();
-        return clq_renderer_get_prepared(o.renderer, o.world->templates[0], &info);
-    });
-    render("clq_renderer_draw", [](O o) { return clq_renderer_draw(o.renderer, o.view, nullptr); });
-    render("clq_renderer_draw_shadows", [](O o) {
-        const clq_shadow_def def = clq_shadow_def_init();
-        return clq_renderer_draw_shadows(o.renderer, o.view, &def, nullptr);
-    });
-    render("clq_renderer_destroy", [](O o) { return clq_renderer_destroy(o.renderer); });
-    render("clq_renderer_abandon", [](O o) { return clq_renderer_abandon(o.renderer); });
-}
-
 std::vector<Call> all_calls()
 {
     std::vector<Call> all;
-    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_views(all), add_scene_calls(all);
+    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_view_calls(all), add_scene_calls(all);
     return all;
 }
 

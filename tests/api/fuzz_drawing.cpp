@@ -58,6 +58,33 @@ void World::draw_shadows()
     EXPECT_LE(stats.blobs, stats.individuals) << "seed " << seed_ << ", step " << step_;
 }
 
+void World::draw_visibility()
+{
+    if (views_.empty()) return;
+    clq_view *view = views_[random_.below(static_cast<uint32_t>(views_.size()))];
+    clq_visibility_def def = clq_visibility_def_init();
+    def.first_number = random_.one_in(8) ? random_.below(2) * 0xffffffffu : 1 + random_.below(100);
+    def.upper_bits = random_.one_in(4);
+    call("clq_renderer_draw_visibility", [&] { return clq_renderer_draw_visibility(renderer_, view, &def, nullptr); });
+    uint64_t count = 0;
+    call("clq_view_get_triangle_count", [&] { return clq_view_get_triangle_count(view, &count); });
+    uint32_t numbers[12], zones[12];
+    for (uint32_t &number : numbers)
+        number = random_.below(static_cast<uint32_t>(count) + (random_.one_in(4) ? 3 : 1)) + def.first_number;
+    clq_pixels pixels = clq_pixels_init();
+    pixels.width_px = 4, pixels.height_px = 3, pixels.numbers = numbers;
+    pixels.first_number = random_.one_in(10) ? random_.below(3) : def.first_number;
+    float normals[36], flow[24];
+    clq_pixel_channels channels = clq_pixel_channels_init();
+    channels.zones = zones, channels.normals = random_.one_in(3) ? nullptr : normals;
+    call("clq_view_get_pixels", [&] { return clq_view_get_pixels(view, &pixels, &channels); });
+    clq_flow_def other = clq_flow_def_init();
+    other.time_s = random_.odd(-5, 20);
+    const clq_look_at_def look = clq_look_at_def_init();
+    if (clq_camera_look_at(&look, &other.camera) != CLQ_OK) return;
+    call("clq_view_get_flow", [&] { return clq_view_get_flow(view, &pixels, &other, flow); });
+}
+
 // Of individuals that a view shows, and of numbers beyond them.
 void World::ask_list()
 {

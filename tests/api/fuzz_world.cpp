@@ -93,6 +93,7 @@ void World::run()
                  {10, &World::update},
                  {6, &World::draw},
                  {2, &World::draw_shadows},
+                 {2, &World::draw_visibility},
                  {3, &World::ask_list},
                  {4, &World::ask},
                  {2, &World::save},

@@ -149,6 +149,7 @@ private:
     // fuzz_drawing.cpp
     void draw();
     void draw_shadows();
+    void draw_visibility();
     void ask_list();
 
     // fuzz_scene.cpp

@@ -32,6 +32,7 @@ const std::map<std::string, std::string> not_recorded = {
     {"clq_record_play_step", "refused for a crowd that is recorded"},
     {"clq_renderer_draw", "draws"},
     {"clq_renderer_draw_shadows", "draws"},
+    {"clq_renderer_draw_visibility", "draws"},
     {"clq_scene_create", "scenes belong to the host that asks"},
     {"clq_stage_apply", "makes calls that are recorded"},
     {"clq_stage_restore", "makes tracks known, as clq_crowd_add_track"},

@@ -40,6 +40,8 @@ struct Idle<Result (*)(Arguments...)> {
 
 const uint8_t *get_string(uint32_t name) { return reinterpret_cast<const uint8_t *>(name == gl::version ? "1.1" : ""); }
 
+bool is_colour_or_depth_bits(uint32_t name) { return name >= 0x0D52 && name <= 0x0D56; }
+
 void get_integer(uint32_t name, int32_t *out)
 {
     if (name == gl::viewport) {
@@ -50,7 +52,7 @@ void get_integer(uint32_t name, int32_t *out)
            : name == gl::render_mode                                                         ? int32_t(gl::render)
            : name == gl::max_attrib_stack_depth || name == gl::max_client_attrib_stack_depth ? max_stack
            : name == gl::max_texture_size                                                    ? max_side
-           : name == gl::stencil_bits                                                        ? 8
+           : name == gl::stencil_bits || is_colour_or_depth_bits(name)                       ? 8
                                                                                              : 0;
 }
 

@@ -27,10 +27,12 @@ const std::set<std::string> allocate = {
     "clq_scene_set_keys"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
-    "clq_crowd_restore",     "clq_actor_end_layer",        "clq_actor_set_gait_share",  "clq_renderer_prepare",
-    "clq_actor_set_hooks",   "clq_actor_detach",           "clq_crowd_update",          "clq_crowd_set_transforms",
-    "clq_crowd_set_speeds",  "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_actor_fade_to_track",
-    "clq_actor_leave_track", "clq_crowd_begin_recording",  "clq_crowd_end_recording",   "clq_crowd_get_recording"};
+    "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share",
+    "clq_renderer_prepare",       "clq_actor_set_hooks",       "clq_actor_detach",
+    "clq_crowd_update",           "clq_crowd_set_transforms",  "clq_crowd_set_speeds",
+    "clq_actor_attach_mechanism", "clq_renderer_draw_shadows", "clq_renderer_draw_visibility",
+    "clq_actor_fade_to_track",    "clq_actor_leave_track",     "clq_crowd_begin_recording",
+    "clq_crowd_end_recording",    "clq_crowd_get_recording"};
 
 void add_busy(std::vector<Call> &all)
 {
@@ -140,6 +142,9 @@ void add_renderers(std::vector<Call> &all)
                        const clq_shadow_def def = clq_shadow_def_init();
                        return clq_renderer_draw_shadows(w.without_shadows, w.bare_view, &def, nullptr);
                    },
+                   keeps, nullptr, "for the first time"});
+    all.push_back({"clq_renderer_draw_visibility",
+                   [](W w) { return clq_renderer_draw_visibility(w.without_shadows, w.bare_view, nullptr, nullptr); },
                    keeps, nullptr, "for the first time"});
 }
 

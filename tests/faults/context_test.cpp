@@ -88,6 +88,13 @@ TEST_F(LostContext, AtAnyCallOfShadowsIsReported)
         true, [&](clq_renderer *one) { return clq_renderer_draw_shadows(one, world_.objects.view, &def, nullptr); });
 }
 
+TEST_F(LostContext, AtAnyCallOfVisibilityIsReported)
+{
+    lose_at_each_call(true, [&](clq_renderer *one) {
+        return clq_renderer_draw_visibility(one, world_.objects.view, nullptr, nullptr);
+    });
+}
+
 TEST_F(LostContext, AtAnyCallOfPreparingIsReported)
 {
     lose_at_each_call(false, [&](clq_renderer *one) { return clq_renderer_prepare(one, world_.test.templates[0]); });

@@ -73,6 +73,7 @@ bool draw(clq_context *context, clq_template *tmpl, clq_view *view, uint32_t str
         EXPECT_EQ(clq_renderer_draw(renderer, view, nullptr), CLQ_OK) << clq_last_error();
         const clq_shadow_def shadow = clq_shadow_def_init();
         EXPECT_EQ(clq_renderer_draw_shadows(renderer, view, &shadow, nullptr), CLQ_OK) << clq_last_error();
+        EXPECT_EQ(clq_renderer_draw_visibility(renderer, view, nullptr, nullptr), CLQ_OK) << clq_last_error();
     }
     EXPECT_EQ(clq_renderer_destroy(renderer), CLQ_OK) << clq_last_error();
     stub_gl::expect_balance();

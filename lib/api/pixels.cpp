@@ -1,0 +1,158 @@
+// What the pixels of a visibility picture show.
+#include <claque/visibility.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "animcache/inspect.h"
+#include "lib/api/boundary.h"
+#include "lib/api/camera_def.h"
+#include "lib/api/crowd_handle.h"
+#include "lib/math/eye_transform.h"
+#include "lib/visibility/channels.h"
+#include "lib/visibility/flow.h"
+
+using namespace claque;
+
+namespace
+{
+
+// A picture that was checked, with the vertices of the individuals in it.
+class Checked
+{
+public:
+    Checked(const clq_view *view, const clq_pixels &pixels)
+        : view_(view),
+          pixels_(pixels),
+          memory_(&view->crowd->context->memory),
+          numbers_(view->view.list, memory_),
+          shown_(view->view.list.items.size(), 0, memory_),
+          vertices_(view->view.list.items.size(), memory_),
+          skinned_(memory_)
+    {
+        api::require(pixels.numbers != nullptr, "numbers is NULL");
+        api::require(pixels.width_px > 0 && pixels.height_px > 0, "width_px or height_px is 0");
+        api::require(pixels.first_number > 0, "first_number is 0, which stands for no triangle");
+        find_shown();
+        for (size_t i = 0; i < shown_.size(); ++i)
+            if (shown_[i]) take_vertices(static_cast<uint32_t>(i));
+    }
+
+    visibility::Picture picture() const
+    {
+        return {pixels_, view_->view.list, numbers_, {vertices_.data(), vertices_.size()}};
+    }
+    bool shows(uint32_t item) const { return shown_[item] != 0; }
+
+private:
+    void find_shown()
+    {
+        const size_t count = size_t(pixels_.width_px) * pixels_.height_px;
+        uint32_t last = 0;
+        for (size_t pixel = 0; pixel < count; ++pixel) {
+            const uint32_t number = pixels_.numbers[pixel];
+            if (number == last || number < pixels_.first_number) continue;
+            last = number;
+            if (number - pixels_.first_number >= numbers_.count())
+                base::fail(CLQ_ARGUMENT, "pixel %zu has number %u, but the draw list has %llu triangles from %u on",
+                           pixel, number, static_cast<unsigned long long>(numbers_.count()), pixels_.first_number);
+            shown_[numbers_.find(number - pixels_.first_number).item] = 1;
+        }
+    }
+
+    void take_vertices(uint32_t index)
+    {
+        const draw::Item &item = view_->view.list.items[index];
+        vertices_[index] = item.vertices;
+        if (item.vertices.any()) return;
+        if (!item.locals) throw std::bad_alloc();  // left out by the update
+        const clq_crowd *crowd = view_->crowd;
+        skinned_.push_back(
+            std::make_unique<animcache::Inspection>(memory_, *item.tmpl, crowd->frame.settings().caches.vertex_format));
+        vertices_[index] = skinned_.back()->vertices(crowd->frame.request_of(item));
+    }
+
+    const clq_view *view_;
+    const clq_pixels &pixels_;
+    std::pmr::memory_resource *memory_;
+    visibility::Numbers numbers_;
+    std::pmr::vector<uint8_t> shown_;  // by item
+    std::pmr::vector<draw::Vertices> vertices_;
+    std::pmr::vector<std::unique_ptr<animcache::Inspection>> skinned_;
+};
+
+// The individuals of a picture at another time.
+class Others
+{
+public:
+    Others(const clq_view *view, const Checked &checked, const frame::Camera &camera, double time_s)
+        : moved_(view->view.list.items.size(), &view->crowd->context->memory),
+          posed_(view->view.list.items.size(), &view->crowd->context->memory)
+    {
+        const clq_crowd *crowd = view->crowd;
+        const glm::dmat3 turn = math::rotation_of(camera.rotation);
+        crowd->context->jobs.try_each(static_cast<uint32_t>(moved_.size()), [&](uint32_t i) {
+            const draw::Item &item = view->view.list.items[i];
+            const uint32_t row = item.actor_index;
+            if (!checked.shows(i) || row >= crowd->crowd.row_count() ||
+                crowd->crowd.actor(row).generation != item.generation || !is_present(crowd->crowd, row, time_s))
+                return;
+            place(*crowd, item, turn, camera.eye, time_s, i);
+        });
+    }
+    base::Span<const visibility::Moved> moved() const { return {moved_.data(), moved_.size()}; }
+
+private:
+    void place(const clq_crowd &crowd, const draw::Item &item, const glm::dmat3 &turn, const glm::dvec3 &eye,
+               double time_s, uint32_t index)
+    {
+        const uint32_t row = item.actor_index;
+        const model::Level &level = item.tmpl->levels[item.level];
+        posed_[index].emplace(*item.tmpl, &crowd.context->memory);
+        posed_[index]->pose(crowd.crowd, row, level, crowd.frame.mechanism_levels(row), time_s, item.eye_distance_m);
+        const crowd::Transform root = frame::root_at(crowd.crowd, row, time_s);
+        const math::EyeTransform at =
+            math::eye_transform(turn, eye, root.position, root.orientation, double(root.scale));
+        moved_[index] = {true, at.axes, at.origin, posed_[index]->skin(level)};
+    }
+
+    std::pmr::vector<visibility::Moved> moved_;
+    std::pmr::vector<std::optional<frame::PosedAt>> posed_;
+};
+
+}  // namespace
+
+extern "C" {
+
+clq_status clq_view_get_pixels(const clq_view *view, const clq_pixels *pixels, const clq_pixel_channels *channels)
+{
+    return api::boundary("clq_view_get_pixels", [&] {
+        api::require(view && pixels && channels, "view, pixels or channels is NULL");
+        const clq_pixels given = api::read_def(pixels, clq_pixels_init, "clq_pixels_init");
+        const clq_pixel_channels wanted = api::read_def(channels, clq_pixel_channels_init, "clq_pixel_channels_init");
+        const api::Drawing drawing(view);
+        const Checked checked(view, given);
+        const double metres = double(view->crowd->frame.settings().caches.metres_per_unit);
+        visibility::write_channels(checked.picture(), metres, view->crowd->context->jobs, wanted);
+    });
+}
+
+clq_status clq_view_get_flow(const clq_view *view, const clq_pixels *pixels, const clq_flow_def *def, float *out_flow)
+{
+    return api::boundary("clq_view_get_flow", [&] {
+        api::require(view && pixels && def && out_flow, "view, pixels, def or out_flow is NULL");
+        const clq_pixels given = api::read_def(pixels, clq_pixels_init, "clq_pixels_init");
+        const clq_flow_def wanted = api::read_def(def, clq_flow_def_init, "clq_flow_def_init");
+        api::require(std::isfinite(wanted.time_s), "time_s is not finite");
+        const frame::Camera camera = api::camera_of(wanted.camera);
+        const api::Drawing drawing(view);
+        const Checked checked(view, given);
+        const Others others(view, checked, camera, wanted.time_s);
+        visibility::write_flow(checked.picture(), others.moved(), camera.projection, view->crowd->context->jobs,
+                               out_flow);
+    });
+}
+
+}  // extern "C"

@@ -1,0 +1,180 @@
+// claque labels: pictures with exact labels, for training and testing what looks at pictures.
+#include <cmath>
+#include <filesystem>
+
+#include "samples/cli/command.h"
+#include "samples/cli/files.h"
+#include "samples/cli/progress.h"
+#include "samples/cli/scene_arguments.h"
+#include "samples/cli/sequence.h"
+#include "samples/cli/stopwatch.h"
+#include "samples/labels/collections.h"
+#include "samples/labels/frame_files.h"
+#include "samples/labels/labeller.h"
+
+namespace cli
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct LabelArguments {
+    SceneArguments setup;
+    std::string frames = "0", out, write = "coco", keypoints = "coco", json;
+    std::vector<int> list;
+    double fps = 25;
+    bool again = false;
+};
+
+labels::Wanted wanted_by(const LabelArguments &a, const std::set<std::string> &formats)
+{
+    labels::Wanted wanted;
+    const auto any = [&](std::initializer_list<const char *> names) {
+        for (const char *name : names)
+            if (formats.count(name) != 0) return true;
+        return false;
+    };
+    wanted.zones = any({"npz", "sheet"});
+    wanted.normals = any({"normals", "npz", "sheet"});
+    wanted.positions = any({"npz"});
+    wanted.flow = any({"flo", "kitti-flow", "npz", "sheet"});
+    wanted.silhouettes = any({"mot", "sheet"});
+    wanted.step_s = 1 / a.fps;
+    wanted.keypoint_set = a.keypoints;
+    return wanted;
+}
+
+// What a picture's labels depend on. A folder keeps labels of one kind.
+labels::Json settings_of(const LabelArguments &a, const scenes::SceneOptions &options)
+{
+    return {{"claque", version()},    {"scene", options.scene},   {"scenario", a.setup.scenario},
+            {"count", a.setup.count}, {"seed", a.setup.seed},     {"camera", a.setup.camera},
+            {"path", a.setup.path},   {"lod", a.setup.lod},       {"size_px", {options.width, options.height}},
+            {"fps", a.fps},           {"keypoints", a.keypoints}, {"write", a.write}};
+}
+
+class Folder
+{
+public:
+    Folder(std::string path, labels::Json settings) : path_(std::move(path)), settings_(std::move(settings)) {}
+
+    void write(const labels::FrameFile &file) const
+    {
+        const fs::path to = fs::path(path_) / file.path;
+        std::error_code failed;
+        fs::create_directories(to.parent_path(), failed);
+        if (failed)
+            throw scenes::Failure("cannot make the folder " + to.parent_path().string() + ": " + failed.message());
+        write_whole(to.string(), file.bytes);
+    }
+    std::string about(int frame) const { return "frames/" + labels::number_of(frame) + ".json"; }
+    // What a picture says that is labelled already; empty: it is not, or otherwise.
+    labels::Json kept(int frame) const
+    {
+        const std::string path = (fs::path(path_) / about(frame)).string();
+        std::error_code none;
+        if (!fs::is_regular_file(path, none)) return {};
+        const labels::Json read = labels::Json::parse(text_of(path), nullptr, false);
+        return read.is_object() && read.value("settings", labels::Json()) == settings_ ? read : labels::Json();
+    }
+    // The last file of a picture: with it the picture is whole.
+    labels::Json conclude(labels::Json about_frame) const
+    {
+        about_frame["settings"] = settings_;
+        write({about(about_frame["frame"].get<int>()), about_frame.dump() + "\n"});
+        return about_frame;
+    }
+
+private:
+    std::string path_;
+    labels::Json settings_;
+};
+
+void label(const LabelArguments &a)
+{
+    Progress progress("claque labels");
+    const std::set<std::string> formats = labels::read_formats(a.write);
+    const labels::KeypointSet &keypoints = labels::keypoint_set(a.keypoints);
+    scenes::Library library(thread_count(a.setup));
+    const LoadedCharacter none;
+    scenes::SceneOptions options = scene_options(a.setup, none);
+    options.crowd_options.exact_poses = true;
+    const Folder folder(a.out, settings_of(a, options));
+    std::vector<labels::Json> frames;
+    std::unique_ptr<scenes::SceneRenderer> scene;
+    std::optional<labels::Labeller> labeller;
+    labels::Json report = labels::Json::array();
+    for (size_t i = 0; i < a.list.size(); ++i) {
+        progress.step(i, a.list.size());
+        labels::Json kept = a.again ? labels::Json() : folder.kept(a.list[i]);
+        if (!kept.empty()) {
+            frames.push_back(std::move(kept));
+            continue;
+        }
+        if (!scene) {
+            scene = std::make_unique<scenes::SceneRenderer>(library, options);
+            labeller.emplace(library, *scene, wanted_by(a, formats));
+        }
+        const Stopwatch labelling;
+        const labels::Sample sample = labeller->label(a.list[i], a.list[i] / a.fps);
+        const double label_ms = labelling.ms();
+        for (const labels::FrameFile &file : labels::frame_files(sample, formats)) folder.write(file);
+        frames.push_back(folder.conclude(labels::frame_json(sample)));
+        report.push_back({{"frame", sample.frame},
+                          {"people", sample.people.size()},
+                          {"silhouette_pictures", labeller->silhouette_pictures()},
+                          {"label_ms", label_ms},
+                          {"files_ms", labelling.ms() - label_ms}});
+    }
+    for (const labels::FrameFile &file : labels::collections(frames, formats, keypoints)) folder.write(file);
+    if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
+    progress.conclude(std::to_string(frames.size()) + " labelled pictures in " + a.out);
+}
+
+}  // namespace
+
+void add_labels(CLI::App &app, Work &chosen)
+{
+    auto a = std::make_shared<LabelArguments>();
+    CLI::App *c = app.add_subcommand(
+        "labels", "Pictures with exact labels: what every pixel is, where it moves, and where people's joints are");
+    c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza)")->check(scene_names());
+    add_scenario_option(*c, a->setup)->excludes(c->get_option("--scene"));
+    c->add_option("--count", a->setup.count, "Individuals (default: the scene's own number)")
+        ->check(CLI::Range(1, 1000000));
+    add_scene_options(*c, a->setup);
+    c->add_option("--lod", a->setup.lod, "People with levels of detail (on) or without (off)")
+        ->check(CLI::IsMember({"off", "on", "finest"}))
+        ->capture_default_str();
+    c->add_option("--frames", a->frames, "First to last, single frames and strides, as in 0:99,120,200:240/4")
+        ->type_name("LIST")
+        ->capture_default_str();
+    c->add_option("--fps", a->fps, "Frames a second: frame k shows k / fps seconds, and flow reaches one frame")
+        ->capture_default_str();
+    std::string names;
+    for (const std::string &name : labels::format_names()) names += (names.empty() ? "" : ", ") + name;
+    c->add_option("--write", a->write, "Formats, separated by commas: " + names)->capture_default_str();
+    c->add_option("--keypoints", a->keypoints, "Joints in the order of COCO (17) or SMPL (24)")
+        ->check(CLI::IsMember({"coco", "smpl"}))
+        ->capture_default_str();
+    c->add_flag("--again", a->again, "Label finished pictures again");
+    c->add_option("--out,-o", a->out, "Folder; pictures that it has already are kept")->required();
+    c->add_option("--json", a->json, "Write times as JSON; - is standard output");
+    c->callback([a, &chosen] {
+        read_scenario(a->setup);
+        check_scene_usage(a->setup);
+        if (a->setup.camera.empty() && has_path(a->setup)) a->setup.camera = "path";
+        const std::string wrong = read_frames(a->frames, a->list);
+        if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
+        if (!(a->fps > 0 && a->fps <= 1e6)) throw CLI::ValidationError("--fps", "must be above 0");
+        try {
+            labels::read_formats(a->write);
+        } catch (const scenes::Failure &failure) {
+            throw CLI::ValidationError("--write", failure.what());
+        }
+        chosen = [a] { label(*a); };
+    });
+}
+
+}  // namespace cli

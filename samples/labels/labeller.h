@@ -1,0 +1,54 @@
+// Draws a scene and labels it: the colour picture, a visibility picture, and what follows from it.
+#pragma once
+
+#include <optional>
+
+#include "samples/labels/sample.h"
+#include "samples/labels/skeleton.h"
+#include "samples/scenes/scene_renderer.h"
+
+namespace labels
+{
+
+struct Wanted {
+    bool colours = true, zones = true, depth = true, normals = true, positions = false;
+    bool flow = true, silhouettes = true, keypoints = true;
+    double step_s = 0.04;  // of optical flow, forward and backward
+    std::string keypoint_set = "coco";
+};
+
+class Labeller
+{
+public:
+    // The scene's crowd has exact poses (scenes::CrowdOptions.exact_poses).
+    Labeller(scenes::Library &library, scenes::SceneRenderer &scene, const Wanted &wanted);
+
+    Sample label(int frame, double time_s);
+    // Silhouette pictures of the last sample.
+    size_t silhouette_pictures() const { return silhouette_pictures_; }
+
+private:
+    void read_numbers(std::vector<uint32_t> &numbers, const uint8_t *drawn);
+    void take_channels(Sample &out);
+    void take_people(Sample &out);
+    void take_box(uint32_t index, const clq_drawn_actor &drawn, const Sample &sample, Person &out);
+    void take_keypoints(const clq_drawn_actor &drawn, const Sample &sample, Person &out);
+    Keypoint keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double radius_m,
+                         const Sample &sample) const;
+    void measure_silhouettes(Sample &out);
+    std::vector<float> flow_to(double time_s, const Sample &sample);
+
+    scenes::SceneRenderer &scene_;
+    Wanted wanted_;
+    Skeletons skeletons_;
+    void (*colour_mask_)(unsigned char, unsigned char, unsigned char, unsigned char) = nullptr;
+    std::vector<uint32_t> numbers_;      // of the visibility picture, rows from the bottom
+    std::vector<uint32_t> individuals_;  // the same, top row first
+    std::vector<size_t> person_of_;      // by individual: of Sample::people
+    size_t silhouette_pictures_ = 0;
+};
+
+// In the picture, pixels from the top left corner; false: behind the eye.
+bool project(const Sample &sample, const std::array<double, 3> &world, std::array<double, 2> &px, double &depth_m);
+
+}  // namespace labels

@@ -1,0 +1,17 @@
+// Masks as COCO writes them: runs of pixels column by column, in letters.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace labels
+{
+
+// The lengths of runs of 0 and 1 in turn, beginning with 0, down the columns from the left. `inside`: [width * height],
+// rows from the top.
+std::vector<uint32_t> runs_of(const std::vector<uint8_t> &inside, int width, int height);
+// COCO's compressed form of runs: five bits a letter, differences to the run before the last from the third on.
+std::string letters_of(const std::vector<uint32_t> &runs);
+
+}  // namespace labels
