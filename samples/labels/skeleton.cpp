@@ -95,8 +95,10 @@ class Rest
 public:
     Rest(scenes::Library &library, const clq_template *tmpl)
     {
+        clq_crowd_def crowd_def = clq_crowd_def_init();
+        crowd_def.period_near_s = crowd_def.period_far_s = crowd_def.lod_scale = 0;
         clq_crowd *crowd = nullptr;
-        check(clq_crowd_create(library.context(), nullptr, &crowd));
+        check(clq_crowd_create(library.context(), &crowd_def, &crowd));
         crowd_.reset(crowd);
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = const_cast<clq_template *>(tmpl);
@@ -108,6 +110,30 @@ public:
         std::array<double, 16> m;
         check(clq_actor_get_node(crowd_.get(), actor_, node, 0, m.data()));
         return m;
+    }
+
+    // How far the body reaches above a height.
+    double top_above(double height) const
+    {
+        clq_actor_info info = clq_actor_info_init();
+        check(clq_actor_get_info(crowd_.get(), actor_, &info));
+        const double away = 4 * static_cast<double>(info.refpoint_radius);  // a sphere round the origin
+        clq_look_at_def look = clq_look_at_def_init();
+        look.target[2] = 0, look.eye[2] = away;
+        look.z_near = static_cast<float>(away / 100), look.z_far = static_cast<float>(4 * away);
+        clq_camera camera = {};
+        check(clq_camera_look_at(&look, &camera));
+        clq_view *view = nullptr;
+        check(clq_view_create(crowd_.get(), &view));
+        check(clq_view_set_camera(view, &camera));
+        check(clq_crowd_update(crowd_.get(), 0, &view, 1));
+        clq_drawn_actor drawn = clq_drawn_actor_init();
+        check(clq_view_get_drawn_actor(view, 0, &drawn));
+        std::vector<float> xyz(3 * static_cast<size_t>(drawn.vertex_count));
+        check(clq_view_get_vertices(view, 0, xyz.data(), nullptr, drawn.vertex_count));
+        double top = height;
+        for (size_t v = 1; v < xyz.size(); v += 3) top = std::max(top, static_cast<double>(xyz[v]));
+        return top - height;
     }
 
 private:
@@ -125,17 +151,6 @@ std::array<double, 3> in_frame(const std::array<double, 16> &m, const std::array
         out[k] = (axis[0] * v[0] + axis[1] * v[1] + axis[2] * v[2]) / square;
     }
     return out;
-}
-
-// How far the mesh reaches above a height, in the bind pose.
-double top_above(const clq_template *tmpl, double height)
-{
-    clq_mesh mesh = clq_mesh_init();
-    check(clq_template_get_mesh(tmpl, 0, &mesh));
-    double top = height;
-    for (uint32_t v = 0; v < mesh.vertex_count; ++v)
-        top = std::max(top, static_cast<double>(mesh.positions[3 * static_cast<size_t>(v) + 1]));
-    return top - height;
 }
 
 }  // namespace
@@ -203,7 +218,7 @@ const Skeletons::Skeleton &Skeletons::of(const clq_template *tmpl)
     std::array<double, 16> at_head = {};
     if (head != CLQ_NONE) {
         at_head = rest.node(head);
-        const double tall = top_above(tmpl, at_head[13]);
+        const double tall = rest.top_above(at_head[13]);
         made.head_m = tall / 2;
         made.head = {head, in_frame(at_head, {0, tall / 2, 0.1 * tall})};
     }

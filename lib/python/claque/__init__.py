@@ -8,6 +8,7 @@ with the library's message and status. The documentation and units of include/cl
 from .abi import Error, Status, library_paths
 from .context import Context
 from .crowd import Actor, Crowd, View
+from .labels import Sample, labels
 from .offscreen import Offscreen
 from .records import Record
 from .renderer import Renderer
@@ -18,5 +19,5 @@ from .tracks import Locomotion, Track, Tracks, find_passings
 from .trajectories import Area, Trajectories
 
 __all__ = ["Actor", "Agent", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer",
-           "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View", "find_passings",
-           "library_paths"]
+           "Sample", "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View",
+           "find_passings", "labels", "library_paths"]

@@ -26,6 +26,12 @@ class CrowdDef(Sized):
                 ("now_user", c_void_p), ("key_poses", KeyPoses), ("motion_tolerance_px", c_float)]
 
 
+def crowd_def():
+    """As clq_crowd_def_init returns it."""
+    return CrowdDef(period_near_s=0.02, period_far_s=0.25, distance_near_m=5, distance_far_m=50, metres_per_unit=1,
+                    lod_scale=1, key_poses=KeyPoses(rate_hz=15, max_kept=256), motion_tolerance_px=1)
+
+
 class RecordingDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("write", Write), ("user", c_void_p), ("key_bytes", c_uint64)]
 

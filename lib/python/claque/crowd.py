@@ -62,11 +62,16 @@ def _upright(heading_rad):
 
 
 class Crowd(Owned):
-    """The actors that are updated together. It keeps the templates of all actors ever added."""
+    """The actors that are updated together. It keeps the templates of all actors ever added.
+
+    exact_poses: all actors are posed in every update, at its very time, as labels need it."""
 
     _destroy = "clq_crowd_destroy"
 
-    def __init__(self, context, definition=None):
+    def __init__(self, context, definition=None, exact_poses=False):
+        if exact_poses:
+            definition = definition or abi_records.crowd_def()
+            definition.period_near_s = definition.period_far_s = 0
         super().__init__(made("clq_crowd_create", abi.call, context.handle, definition and byref(definition)), context)
         self._views, self._scenes, self._recording = [], [], None
 
@@ -166,9 +171,10 @@ class View(Owned):
 
     def __init__(self, crowd):
         super().__init__(made("clq_view_create", abi.call, crowd.handle), crowd)
+        self.camera = abi.Camera()  # the last one that look_at has set
 
     def look_at(self, eye, target, up=(0, 1, 0), fov_y_rad=1.0, aspect=4 / 3, near=0.1, far=1000.0):
-        camera = abi.Camera()
+        camera = self.camera = abi.Camera()
         definition = abi.LookAtDef(eye=tuple(eye), target=tuple(target), up=tuple(up), fov_y_rad=fov_y_rad,
                                    aspect=aspect, z_near=near, z_far=far)
         abi.call("clq_camera_look_at", byref(definition), byref(camera))

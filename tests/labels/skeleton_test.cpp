@@ -1,0 +1,114 @@
+// Keypoints of characters of several makers: each is found, and lies where that part of a body is.
+#include "samples/labels/skeleton.h"
+
+#include <cmath>
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using labels::Skeletons;
+using scenes::check;
+
+// Positions by keypoint, in the rest pose.
+std::map<std::string, std::array<double, 3>> rest_points(scenes::Library &library, clq_template *tmpl,
+                                                         const labels::KeypointSet &set)
+{
+    Skeletons skeletons(library, set);
+    const Skeletons::Skeleton &skeleton = skeletons.of(tmpl);
+    clq_crowd *crowd = nullptr;
+    check(clq_crowd_create(library.context(), nullptr, &crowd));
+    const scenes::Own<clq_crowd> owner(crowd);
+    clq_actor_def def = clq_actor_def_init();
+    def.tmpl = tmpl, def.play.clip = CLQ_NONE;
+    clq_actor actor = {};
+    check(clq_actor_create(crowd, &def, &actor));
+    std::map<std::string, std::array<double, 3>> out;
+    for (size_t i = 0; i < set.names.size(); ++i) {
+        const Skeletons::Place &place = skeleton.places[i];
+        if (place.node == CLQ_NONE) continue;
+        double m[16];
+        check(clq_actor_get_node(crowd, actor, place.node, 0, m));
+        for (size_t k = 0; k < 3; ++k)
+            out[set.names[i]][k] = m[12 + k] + m[k] * place.at[0] + m[4 + k] * place.at[1] + m[8 + k] * place.at[2];
+    }
+    return out;
+}
+
+// Up to down, and left (+x) to right.
+void expect_body(const std::map<std::string, std::array<double, 3>> &at)
+{
+    for (const std::string side : {"left_", "right_"}) {
+        const double sign = side == "left_" ? 1 : -1;
+        EXPECT_GT(at.at(side + "shoulder")[1], at.at(side + "hip")[1]) << side;
+        EXPECT_GT(at.at(side + "hip")[1], at.at(side + "knee")[1]) << side;
+        EXPECT_GT(at.at(side + "knee")[1], at.at(side + "ankle")[1]) << side;
+        EXPECT_GT(sign * at.at(side + "shoulder")[0], 0) << side;
+        EXPECT_GT(sign * at.at(side + "elbow")[0], sign * at.at(side + "shoulder")[0] - 0.05) << side;
+        EXPECT_GT(sign * at.at(side + "wrist")[0], 0) << side;
+        EXPECT_GT(sign * at.at(side + "eye")[0], 0) << side;
+        EXPECT_GT(at.at("nose")[1], at.at(side + "shoulder")[1]) << side;
+        EXPECT_GT(at.at("nose")[2], at.at(side + "ear")[2]) << side;
+    }
+}
+
+TEST(Keypoints, OfBuiltInPeopleAreTheirJoints)
+{
+    scenes::Library library(1);
+    for (const char *name : {"citizen", "patrician", "decurion", "plebeian"}) {
+        SCOPED_TRACE(name);
+        const auto at = rest_points(library, library.builtin(name), labels::coco_keypoints());
+        ASSERT_EQ(at.size(), 17u);
+        expect_body(at);
+        EXPECT_EQ(rest_points(library, library.builtin(name), labels::smpl_keypoints()).size(), 24u);
+    }
+}
+
+TEST(Keypoints, OfAnOwlAreAbsentOrItsOwn)
+{
+    scenes::Library library(1);
+    const auto at = rest_points(library, library.builtin("owl"), labels::coco_keypoints());
+    EXPECT_EQ(at.count("left_knee"), 0u);
+}
+
+class KeypointsOfFiles : public testing::TestWithParam<const char *>
+{
+};
+
+TEST_P(KeypointsOfFiles, AreFoundByTheNamesOfTheirMakers)
+{
+    const std::string path = std::string(CLAQUE_ASSETS_DIR) + "/humanoids/" + GetParam();
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+    scenes::Library library(1);
+    clq_asset *asset = nullptr;
+    check(clq_asset_load_file(library.context(), path.c_str(), nullptr, &asset));
+    const scenes::Own<clq_asset> held(asset);
+    clq_template *tmpl = nullptr;
+    check(clq_asset_build(library.context(), asset, 0, &tmpl));
+    const scenes::Own<clq_template> owner(tmpl);
+    const auto at = rest_points(library, tmpl, labels::coco_keypoints());
+    ASSERT_EQ(at.size(), 17u);
+    expect_body(at);
+}
+
+INSTANTIATE_TEST_SUITE_P(Makers, KeypointsOfFiles,
+                         testing::Values("kaykit/Barbarian.glb", "kaykit/Mage.glb",
+                                         "quaternius-ultimate/Casual_Male.gltf", "quaternius-modular/Man_Suit.glb"));
+
+TEST(KeypointSets, HaveTheNumbersOfTheirPublications)
+{
+    EXPECT_EQ(labels::coco_keypoints().names.size(), 17u);
+    EXPECT_EQ(labels::smpl_keypoints().names.size(), 24u);
+    EXPECT_EQ(labels::coco_keypoints().edges.size(), 19u);
+    EXPECT_EQ(labels::smpl_keypoints().edges.size(), 23u);
+    try {
+        labels::keypoint_set("openpose");
+        FAIL();
+    } catch (const scenes::Failure &failure) {
+        EXPECT_STREQ(failure.what(), "there are no keypoints 'openpose'; there are coco and smpl");
+    }
+}
+
+}  // namespace
