@@ -66,6 +66,7 @@ TEST_F(Labels, AreThoseOfARayAPixelOnTwoHundredRandomPictures)
 
 TEST_F(Labels, HavePointsInTheWorldWithNormalsTowardsTheEye)
 {
+    size_t towards = 0, shown = 0;
     for (uint64_t seed = 300; seed < 310; ++seed) {
         place(seed, 4);
         update(static_cast<double>(seed));
@@ -89,11 +90,19 @@ TEST_F(Labels, HavePointsInTheWorldWithNormalsTowardsTheEye)
                 ASSERT_NEAR(at[0], x + 0.5, 0.02);
                 ASSERT_NEAR(at[1], y + 0.5, 0.02);
                 const float *n = &found.normals[3 * i];
-                double length = 0;
-                for (size_t k = 0; k < 3; ++k) length += static_cast<double>(n[k]) * static_cast<double>(n[k]);
+                double length = 0, along = 0;
+                for (size_t k = 0; k < 3; ++k) {
+                    length += static_cast<double>(n[k]) * static_cast<double>(n[k]);
+                    along += static_cast<double>(n[k]) * (camera_.eye[k] - p[k]);
+                }
                 ASSERT_NEAR(length, 1, 1e-5);
+                ++shown;
+                towards += along > 0;
             }
     }
+    // Normals between corners may turn away at the very rim.
+    EXPECT_GT(shown, 500u);
+    EXPECT_GT(static_cast<double>(towards), 0.97 * static_cast<double>(shown));
 }
 
 }  // namespace

@@ -1,9 +1,8 @@
-// The individual and the zone of each pixel: flat pictures drawn by OpenGL 1.1 from claque's skinned vertices,
-// triangle by triangle, without claque's own strategies.
+// The individual and the zone of each pixel, from a visibility picture (claque/visibility.h): triangle by triangle, by
+// none of the renderer's strategies.
 #pragma once
 
-#include "samples/contexts/offscreen.h"
-#include "samples/parity/write/drawn_actors.h"
+#include "samples/scenes/scene_renderer.h"
 
 namespace parity
 {
@@ -13,9 +12,7 @@ struct IdPictures {
     std::vector<uint16_t> zone;   // zone + 1
 };
 
-// The context must be current and have at least 8 bits a channel. OpenGL state is kept, except the picture and the
-// matrices. Throws scenes::Failure.
-IdPictures id_pictures(const contexts::Offscreen &context, const DrawnActors &drawn_actors, const Skinned &skinned,
-                       const float projection[16]);
+// Of the last update, people alone. The picture has at least 8 bits a channel; it is drawn over. Throws scenes::Failure.
+IdPictures id_pictures(scenes::SceneRenderer &scene_renderer);
 
 }  // namespace parity

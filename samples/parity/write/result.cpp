@@ -31,8 +31,7 @@ size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &ca
     write_individuals(folder, drawn_actors, skinned);
     folder.array("positions.npy", skinned.positions, {drawn_actors.vertices(), 3});
     folder.array("normals.npy", skinned.normals, {drawn_actors.vertices(), 3});
-    const IdPictures ids =
-        id_pictures(scene_renderer.offscreen(), drawn_actors, skinned, scene_renderer.eye().projection);
+    const IdPictures ids = id_pictures(scene_renderer);
     folder.array("actor.npy", ids.actor, {height, width});
     folder.array("zone.npy", ids.zone, {height, width});
 
