@@ -50,7 +50,7 @@ public:
     // then.
     base::Status draw_shadows(const draw::DrawList &list, const ShadowOptions &options, ShadowStats *out_stats);
 
-    // Draws each triangle in the colour of its number. GL's state is restored in every guard mode; hooks are not called.
+    // Draws each triangle in the colour of its number. GL's state is restored in every guard mode. No hook is called.
     // `out_stats` may be null. Fails as draw(); CLQ_GL_STATE also if the target has less than 8 bits a channel or no
     // depth; CLQ_OUT_OF_MEMORY also if there is no memory for corners or for the holes of textures, and nothing is
     // drawn then.

@@ -2,16 +2,16 @@
  *
  * A visibility picture shows each triangle in the colour of its number, flat, unlit and unblended, drawn with GL 1.1
  * from the vertices that clq_renderer_draw shows. The host draws it in place of the picture, reads it back, and asks
- * what its pixels show. Zones, points, normals and optical flow are computed in double precision from the vertices, so
- * they do not depend on the depth buffer or on textures of a host.
+ * what its pixels show. Zones, points, normals and optical flow are computed in double precision from the vertices.
+ * They do not depend on the depth buffer.
  *
- * Numbers. Individual after individual in the order of the draw list, all triangles of its level have a number, drawn or
- * not; within a level they follow clq_template_get_triangles. A pixel's number is red + 256 * green + 65536 * blue. The
- * host clears to 0 and draws its scenery in the colours of smaller numbers than first_number. Where numbers need more
- * than 24 bits, a second picture with upper_bits has the rest.
+ * Numbers. They go from individual to individual in the order of the draw list, and within an individual in the order
+ * of clq_template_get_triangles. All triangles of its level have one, drawn or not. A pixel's number is red + 256 *
+ * green + 65536 * blue. The host clears to 0 and draws its scenery in the colours of smaller numbers than first_number.
+ * Where numbers need more than 24 bits, a second picture with upper_bits has the rest.
  *
- * Poses. An individual is drawn in the pose of its last tick (clq_crowd_def.period_near_s). Flow is that of exact poses,
- * so labels need a crowd without periods: period_near_s and period_far_s 0. */
+ * Poses. An individual is drawn in the pose of its last tick (clq_crowd_def.period_near_s), but flow is that of exact
+ * poses. So labels need a crowd without periods: period_near_s and period_far_s 0. */
 #ifndef CLAQUE_VISIBILITY_H
 #define CLAQUE_VISIBILITY_H
 
@@ -49,7 +49,7 @@ CLQ_API clq_status clq_view_get_triangle_count(const clq_view *view, uint64_t *o
  * colours and polygon offset are off. All GL state is restored, whatever clq_renderer_def.guard says. The first picture
  * that shows holes loads a texture of one byte a texel for them, which the renderer keeps.
  *   out_stats   made by clq_draw_stats_init; may be NULL
- * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (also a template that is not prepared, by name; a first_number of
+ * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (also a template that is not prepared, by name; first_number
  * 0), LIMIT (numbers beyond 2^32), GL_STATE (also fewer than 8 bits of a colour, or no depth buffer), GL_MISSING,
  * OUT_OF_MEMORY (of GL too), BUSY. Fails after drawing the rest: OUT_OF_MEMORY (the update left individuals out).
  * Threads: that of the current context. GL: see above. */
@@ -110,12 +110,13 @@ CLQ_DEFINE_ZERO_INIT(clq_flow_def)
 
 /* Computes the optical flow to another time, earlier or later: where the points that the pixels show are in the picture
  * then. Individuals are posed exactly at that time and skinned at the level of the last update, so the points are the
- * same. They follow clips, fades, layers, mechanisms, tracks, groups as they stand, and root paths; host mechanisms and
- * the ground's height are left out. The crowd must not have changed since its last update.
+ * same. They follow clips, fades, layers, mechanisms, tracks and root paths. Host mechanisms and the ground's height
+ * are left out. They stand and play as the crowd's calls say now: a host that moves or plays actors itself makes those
+ * calls for the other time first, and does not update the crowd in between.
  *   out_flow   [2 * width_px * height_px] pixels to the right and up. NaN: no individual, an actor that is not there at
  *              that time (its track), one that was destroyed, or a point behind the eye
- * Fails and writes nothing: as clq_view_get_pixels; ARGUMENT also for a time or camera that is not finite. Threads: any,
- * one at a time for a view. GL: none. */
+ * Fails and writes nothing: as clq_view_get_pixels; ARGUMENT also for a time or camera that is not finite. Threads:
+ * any, one at a time for a view. GL: none. */
 CLQ_API clq_status clq_view_get_flow(const clq_view *view, const clq_pixels *pixels, const clq_flow_def *def,
                                      float *out_flow);
 

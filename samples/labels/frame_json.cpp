@@ -21,7 +21,7 @@ Json keypoint_json(const Keypoint &point)
     return out;
 }
 
-// The pinhole of a symmetric or shifted perspective, in pixels; the world to the camera: x to the right, y down, z ahead.
+// The pinhole of a perspective in pixels; rotation_xyzw takes the world to the eye, which looks along -z with y up.
 Json camera_json(const Sample &sample)
 {
     const float *p = sample.camera.projection;

@@ -48,7 +48,4 @@ private:
     size_t silhouette_pictures_ = 0;
 };
 
-// In the picture, pixels from the top left corner; false: behind the eye.
-bool project(const Sample &sample, const std::array<double, 3> &world, std::array<double, 2> &px, double &depth_m);
-
 }  // namespace labels

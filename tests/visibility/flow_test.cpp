@@ -62,8 +62,8 @@ TEST_F(Flow, LeadsToWhereTheTriangleIsThenForwardsAndBackwards)
         const clq_camera then = next_camera(then_s - time_s);
         const std::vector<float> flow = flow_to(then_s, then);
         const std::vector<Body> before = bodies_of(view_);
-        // The same crowd at the other time, seen by that camera, at the levels of now: levels follow the distance of the
-        // camera, which hardly moves, so a picture in which one changed is left out.
+        // The same crowd at the other time, seen by that camera. Its levels hardly change; where one does, it is left
+        // out.
         check(clq_view_set_camera(view_, &then));
         check(clq_crowd_update(crowd_.get(), then_s, &view_, 1));
         const std::vector<Body> after = bodies_of(view_);

@@ -1,5 +1,5 @@
-// claque_host_range OUT.ply [SECONDS]: a spinning lidar among people who stand and walk on the spot, without any GL. The
-// points have the actor and the zone that they lie on.
+// claque_host_range OUT.ply [SECONDS]: a spinning lidar among people that stand and walk on the spot, without any GL.
+// The points have the actor and the zone that they lie on.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>

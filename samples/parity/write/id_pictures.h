@@ -12,7 +12,7 @@ struct IdPictures {
     std::vector<uint16_t> zone;   // zone + 1
 };
 
-// Of the last update, people alone. The picture has at least 8 bits a channel; it is drawn over. Throws scenes::Failure.
+// Of the last update, people alone. The picture has at least 8 bits a channel and is drawn over. Throws Failure.
 IdPictures id_pictures(scenes::SceneRenderer &scene_renderer);
 
 }  // namespace parity
