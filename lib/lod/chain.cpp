@@ -6,13 +6,11 @@
 #include <map>
 
 #include "lib/base/error.h"
-#include "lib/lod/area_fractions.h"
 #include "lib/lod/candidates.h"
-#include "lib/lod/proxy_image.h"
-#include "lib/lod/proxy_mesh.h"
-#include "lib/lod/quadric_only.h"
-#include "lib/lod/surface_samples.h"
-#include "lib/lod/visibility.h"
+#include "lib/lod/proxies/proxy.h"
+#include "lib/lod/surface/area_fractions.h"
+#include "lib/lod/surface/surface_samples.h"
+#include "lib/lod/surface/visibility.h"
 #include "lib/model/model_size.h"
 
 namespace claque::lod

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "lib/lod/decimate.h"
-#include "lib/lod/deviation.h"
+#include "lib/lod/decimation/decimate.h"
+#include "lib/lod/surface/deviation.h"
 
 namespace claque::lod
 {

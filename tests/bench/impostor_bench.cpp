@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lib/figures/figure.h"
-#include "lib/lod/proxy.h"
+#include "lib/lod/proxies/proxy.h"
 #include "tests/bench/measure.h"
 #include "tests/gl/support/pictures.h"
 #include "tests/gl/support/split.h"
@@ -31,7 +31,7 @@ PosedModel mesh_of(uint32_t triangles)
     model::Model model = figures::citizen();
     std::vector<const model::Part *> parts;
     for (const model::Part &part : model.parts) parts.push_back(&part);
-    lod::ProxyOptions options;
+    lod::ProxyMeshOptions options;
     options.targets = {triangles};
     lod::ProxyLevels proxies = lod::make_proxies(model, parts, options);
     lod::add_to_model(proxies, model);

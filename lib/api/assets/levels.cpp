@@ -6,8 +6,8 @@
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
-#include "lib/lod/area_fractions.h"
 #include "lib/lod/chain.h"
+#include "lib/lod/surface/area_fractions.h"
 
 using namespace claque;
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/figures/figure.h"
-#include "lib/lod/proxy.h"
+#include "lib/lod/proxies/proxy.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -18,7 +18,7 @@ inline PosedModel proxy_posed(uint32_t triangles)
     model::Model model = claque::figures::citizen();
     std::vector<const model::Part *> parts;
     for (const model::Part &part : model.parts) parts.push_back(&part);
-    claque::lod::ProxyOptions options;
+    claque::lod::ProxyMeshOptions options;
     options.targets = {triangles};
     claque::lod::ProxyLevels proxies = claque::lod::make_proxies(model, parts, options);
     claque::lod::add_to_model(proxies, model);

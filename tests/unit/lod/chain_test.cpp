@@ -9,7 +9,7 @@
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
 #include "lib/figures/figure.h"
-#include "lib/lod/nearest.h"
+#include "lib/lod/surface/nearest.h"
 
 using namespace claque;
 

@@ -10,8 +10,8 @@
 
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
-#include "lib/lod/area_fractions.h"
 #include "lib/lod/chain.h"
+#include "lib/lod/surface/area_fractions.h"
 #include "tests/support/written_characters.h"
 
 namespace claque::test

@@ -1,0 +1,126 @@
+#include "lib/lod/proxies/proxy.h"
+
+#include <map>
+#include <set>
+
+#include "lib/base/error.h"
+#include "lib/lod/proxies/proxy_image.h"
+#include "lib/lod/surface/area_fractions.h"
+#include "lib/lod/surface/visibility.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+// Returns zone keys that are all different: the present ones if they are, else new ones for zones that share a key,
+// taken from values that no image uses.
+std::vector<uint8_t> keys_of(const model::Model &model)
+{
+    std::vector<uint8_t> keys;
+    std::set<uint8_t> taken;
+    for (const model::Zone &zone : model.zones) keys.push_back(zone.key), taken.insert(zone.key);
+    if (taken.size() == keys.size()) return keys;
+    taken.clear();
+    for (const model::Image &image : model.images)
+        if (image.alpha == model::AlphaMeaning::zone_keys)
+            for (size_t i = 3; i < image.rgba.size(); i += 4) taken.insert(image.rgba[i]);
+    std::set<uint8_t> given;
+    uint32_t next = 1;
+    for (uint8_t &key : keys) {
+        if (taken.count(key) && given.insert(key).second) continue;
+        while (next < 256 && (taken.count(static_cast<uint8_t>(next)) || given.count(static_cast<uint8_t>(next))))
+            ++next;
+        if (next == 256) base::fail(CLQ_LIMIT, "'%s' has more zones than keys", model.name.c_str());
+        key = static_cast<uint8_t>(next);
+        given.insert(key);
+    }
+    return keys;
+}
+
+// Adds one material with its image in each texture set.
+uint32_t add_material(const ProxySource &source, std::vector<model::Image> images, ProxyLevels &proxies)
+{
+    const auto next = [&] { return static_cast<uint32_t>(source.model.images.size() + proxies.images.size()); };
+    model::Material material;
+    material.name = source.model.name + " far " + std::to_string(proxies.materials.size() + 1);
+    material.image = next();
+    material.wrap_s = material.wrap_t = model::Wrap::clamp;
+    for (size_t i = 1; i < images.size(); ++i) {
+        const bool differs = images[i].rgba != images[0].rgba;
+        proxies.set_images[i - 1].push_back(differs ? next() + static_cast<uint32_t>(i) : model::none);
+    }
+    for (model::Image &image : images) {
+        image.name = material.name;
+        proxies.images.push_back(std::move(image));
+    }
+    proxies.materials.push_back(std::move(material));
+    return static_cast<uint32_t>(source.model.materials.size() + proxies.materials.size() - 1);
+}
+
+}  // namespace
+
+ProxySource::ProxySource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
+    : ProxySource(of, posed_at_rest(of.rig, parts), {}, jobs)
+{
+}
+
+ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector<double> seen, const base::Jobs &jobs)
+    : model(of), fine(std::move(at_rest)), visibility(std::move(seen)), keys(keys_of(of))
+{
+    if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
+    area_fractions.resize(set_count());
+    jobs.try_each(static_cast<uint32_t>(set_count()),
+                  [&](uint32_t i) { area_fractions[i] = zone_area_fractions(model, fine, visibility, set(i)); });
+}
+
+PosedParts ProxySource::at_rest(const model::Part &part) const { return posed_at_rest(model.rig, {&part}); }
+
+ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs)
+{
+    std::vector<model::Part> swatch_parts;
+    ProxyLevels proxies;
+    proxies.zone_keys = source.keys;
+    proxies.set_images.resize(source.model.texture_sets.size());
+    for (model::Part &part : meshes)
+        (part.indices.size() <= 3 * max_clean_triangles ? swatch_parts : proxies.parts).push_back(std::move(part));
+    std::vector<std::vector<model::Image>> charts(proxies.parts.size()), swatches(1);
+    const uint32_t count = static_cast<uint32_t>(charts.size());
+    // The swatches take longest, so they begin first.
+    jobs.try_each(count + 1, [&](uint32_t i) {
+        if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1]);
+        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts);
+    });
+    for (uint32_t i = 0; i < count; ++i)
+        proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);
+    if (swatch_parts.empty()) return proxies;
+    const uint32_t material = add_material(source, std::move(swatches[0]), proxies);
+    for (model::Part &part : swatch_parts) {
+        part.material = material;
+        proxies.parts.push_back(std::move(part));
+    }
+    return proxies;
+}
+
+ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
+                         const ProxyMeshOptions &options, const base::Jobs &jobs)
+{
+    ProxyMeshOptions with_jobs = options;
+    with_jobs.jobs = jobs;
+    return bake_proxies(ProxySource(model, source, jobs), proxy_meshes(model, source, with_jobs), jobs);
+}
+
+void add_to_model(const ProxyLevels &proxies, model::Model &model)
+{
+    for (size_t i = 0; i < model.texture_sets.size(); ++i) {
+        std::vector<uint32_t> &images = model.texture_sets[i].images;
+        images.resize(model.materials.size(), model::none);
+        images.insert(images.end(), proxies.set_images[i].begin(), proxies.set_images[i].end());
+    }
+    model.materials.insert(model.materials.end(), proxies.materials.begin(), proxies.materials.end());
+    model.images.insert(model.images.end(), proxies.images.begin(), proxies.images.end());
+    for (size_t zone = 0; zone < model.zones.size(); ++zone) model.zones[zone].key = proxies.zone_keys[zone];
+}
+
+}  // namespace claque::lod

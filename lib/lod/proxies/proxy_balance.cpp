@@ -1,0 +1,144 @@
+#include "lib/lod/proxies/proxy_balance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "lib/lod/surface/nearest.h"
+
+namespace claque::lod
+{
+
+namespace
+{
+
+constexpr double tolerance = 0.01;  // of a zone's area fraction: half of the promised 2 points
+
+// The points that show one zone.
+struct ZonePoints {
+    std::vector<SurfacePoint> points;
+    std::unique_ptr<NearestPoint> nearest;
+};
+
+// A texel, and for each zone the nearest point that shows it.
+struct TexelDistances {
+    size_t texel = 0;
+    std::vector<uint32_t> point;
+    std::vector<double> distance;
+};
+
+class ZoneBalancer
+{
+public:
+    ZoneBalancer(const ProxySource &source, size_t set, std::vector<ProxyTexel> &texels)
+        : source_(source),
+          set_(set),
+          texels_(texels),
+          source_fractions_(source.area_fractions[set]),
+          area_fractions_(source_fractions_.size(), 0)
+    {
+        for (const ProxyTexel &texel : texels)
+            if (texel.area > 0) area_fractions_[index(texel.zone)] += texel.area;
+    }
+
+    void run()
+    {
+        if (!is_unbalanced()) return;
+        find_distances();
+        while (is_unbalanced() && step()) {}
+    }
+
+private:
+    size_t index(uint32_t zone) const { return std::min<size_t>(zone, source_fractions_.size() - 1); }
+    uint32_t zone(size_t index) const
+    {
+        return index + 1 == source_fractions_.size() ? model::none : static_cast<uint32_t>(index);
+    }
+    double excess(size_t z) const { return area_fractions_[z] - source_fractions_[z]; }
+    bool is_unbalanced() const
+    {
+        for (size_t z = 0; z < source_fractions_.size(); ++z)
+            if (std::abs(excess(z)) > tolerance) return true;
+        return false;
+    }
+
+    // Computes the distance of each texel from each zone.
+    void find_distances()
+    {
+        zones_.resize(source_fractions_.size());
+        std::vector<std::vector<NearestPoint::Triangle>> points(source_fractions_.size());
+        for (const SurfaceSample &sample : sample_surface(source_.fine, surface_sample_count)) {
+            const size_t z = index(zone_at(source_.model, source_.fine, sample.point, source_.set(set_)));
+            const glm::dvec3 p = position_of(source_.fine, sample.point);
+            zones_[z].points.push_back(sample.point);
+            points[z].push_back({p, p, p});
+        }
+        for (size_t z = 0; z < zones_.size(); ++z)
+            if (!points[z].empty()) zones_[z].nearest = std::make_unique<NearestPoint>(std::move(points[z]));
+        for (size_t i = 0; i < texels_.size(); ++i) {
+            if (!(texels_[i].area > 0)) continue;
+            TexelDistances row;
+            row.texel = i;
+            for (const ZonePoints &one : zones_) {
+                const NearestPoint::Found found = one.nearest ? one.nearest->to(texels_[i].at) : NearestPoint::Found();
+                row.point.push_back(found.triangle);
+                row.distance.push_back(one.nearest ? std::sqrt(found.distance_squared)
+                                                   : std::numeric_limits<double>::infinity());
+            }
+            rows_.push_back(std::move(row));
+        }
+    }
+
+    // Makes the one change that moves a border least and brings the zone with the largest error closer to its fraction.
+    bool step()
+    {
+        size_t worst = 0;
+        for (size_t z = 0; z < source_fractions_.size(); ++z)
+            if (std::abs(excess(z)) > std::abs(excess(worst))) worst = z;
+        const bool gives = excess(worst) > 0;
+        double least = std::numeric_limits<double>::infinity();
+        const TexelDistances *best = nullptr;
+        size_t to = 0;
+        for (const TexelDistances &row : rows_) {
+            const size_t from = index(texels_[row.texel].zone);
+            const double area = texels_[row.texel].area;
+            if (gives != (from == worst)) continue;
+            if (!gives && excess(from) - area < -tolerance) continue;
+            for (size_t z = 0; z < source_fractions_.size(); ++z) {
+                if (z == from || (!gives && z != worst) || excess(z) + area > tolerance) continue;
+                const double moved = row.distance[z] - row.distance[from];
+                if (moved < least) least = moved, best = &row, to = z;
+            }
+        }
+        if (!best) return false;
+        change(*best, to);
+        return true;
+    }
+
+    void change(const TexelDistances &row, size_t to)
+    {
+        ProxyTexel &texel = texels_[row.texel];
+        area_fractions_[index(texel.zone)] -= texel.area;
+        area_fractions_[to] += texel.area;
+        texel.zone = zone(to);
+        texel.rgb = texel_at(source_.model, source_.fine, zones_[to].points[row.point[to]], source_.set(set_));
+    }
+
+    const ProxySource &source_;
+    size_t set_;
+    std::vector<ProxyTexel> &texels_;
+    const std::vector<double> &source_fractions_;
+    std::vector<double> area_fractions_;
+    std::vector<ZonePoints> zones_;
+    std::vector<TexelDistances> rows_;
+};
+
+}  // namespace
+
+void balance_zones(const ProxySource &source, size_t set, std::vector<ProxyTexel> &texels)
+{
+    ZoneBalancer(source, set, texels).run();
+}
+
+}  // namespace claque::lod

@@ -1,0 +1,39 @@
+#include "lib/lod/surface/area_fractions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/lod/surface/visibility.h"
+
+namespace claque::lod
+{
+
+std::vector<double> zone_area_fractions(const model::Model &model, const std::vector<const model::Part *> &parts,
+                                        const model::TextureSet *set)
+{
+    const PosedParts posed = posed_at_rest(model.rig, parts);
+    return zone_area_fractions(model, posed, visibility_of(model, posed), set);
+}
+
+std::vector<double> zone_area_fractions(const model::Model &model, const PosedParts &posed,
+                                        const std::vector<double> &visibility, const model::TextureSet *set)
+{
+    std::vector<double> area_fractions(model.zones.size() + 1, 0.0);
+    double all = 0;
+    const std::vector<SurfaceSample> samples = sample_surface(posed, surface_sample_count);
+    for (const SurfaceSample &sample : samples) all += sample.area * visibility[sample.point.triangle];
+    if (!(all > 0)) return area_fractions;
+    for (const SurfaceSample &sample : samples)
+        area_fractions[std::min<size_t>(zone_at(model, posed, sample.point, set), model.zones.size())] +=
+            sample.area * visibility[sample.point.triangle] / all;
+    return area_fractions;
+}
+
+double zone_area_error(const std::vector<double> &a, const std::vector<double> &b)
+{
+    double maximum = 0;
+    for (size_t i = 0; i < std::min(a.size(), b.size()); ++i) maximum = std::max(maximum, std::abs(a[i] - b[i]));
+    return maximum;
+}
+
+}  // namespace claque::lod
