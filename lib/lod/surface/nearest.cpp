@@ -1,10 +1,13 @@
 #include "lib/lod/surface/nearest.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
+
+#include "lib/lod/surface/four.h"
 
 namespace claque::lod
 {
@@ -12,11 +15,8 @@ namespace claque::lod
 namespace
 {
 
-double distance_squared(glm::dvec3 min, glm::dvec3 max, glm::dvec3 p)
-{
-    const glm::dvec3 outside = glm::max(glm::max(min - p, p - max), glm::dvec3(0));
-    return glm::dot(outside, outside);
-}
+// A bound far above the error of coordinates of at most 1 after a few float operations.
+constexpr double float_error = 2e-6;
 
 }  // namespace
 
@@ -24,8 +24,6 @@ PrecomputedTriangle::PrecomputedTriangle(const Corners3 &t)
     : corners(t),
       edges{t[1] - t[0], t[2] - t[1], t[0] - t[2]},
       normal(glm::cross(t[1] - t[0], t[2] - t[0])),
-      min(glm::min(glm::min(t[0], t[1]), t[2])),
-      max(glm::max(glm::max(t[0], t[1]), t[2])),
       square(glm::dot(normal, normal))
 {
     for (size_t i = 0; i < 3; ++i) squares[i] = glm::dot(edges[i], edges[i]);
@@ -56,63 +54,133 @@ glm::dvec3 PrecomputedTriangle::nearest(glm::dvec3 p) const
     return best;
 }
 
-NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : tree_(triangles), slots_(triangles.size())
+TriangleBlock::TriangleBlock(const PrecomputedTriangle *triangles, size_t count, glm::dvec3 origin, double scale)
 {
-    for (const uint32_t t : tree_.order) {
+    for (size_t lane = 0; lane < 4; ++lane) {
+        const PrecomputedTriangle &t = triangles[std::min(lane, count - 1)];
+        const double longest = std::max({t.squares[0], t.squares[1], t.squares[2]});
+        const bool is_needle = !(t.square > 1e-8 * longest * longest);
+        const glm::dvec3 normal = is_needle ? glm::dvec3(0) : t.normal / std::sqrt(t.square);
+        set(normal_, lane, normal);
+        nothing_inside_[lane] = t.square > 0 ? 0.0f : -1e30f;
+        for (size_t k = 0; k < 3; ++k) {
+            const glm::dvec3 edge = scale * t.edges[k];
+            const double length = glm::length(edge);
+            set(corners_[k], lane, scale * (t.corners[k] - origin)), set(edges_[k], lane, edge);
+            set(inward_[k], lane, length > 0 ? glm::cross(normal, edge) / length : glm::dvec3(0));
+            inverse_squares_[k][lane] = static_cast<float>(1 / std::max(length * length, 1e-30));
+        }
+    }
+}
+
+// The distance from the plane where the point is above the triangle, or may be; else from the nearest edge.
+math::F4 TriangleBlock::distances_squared(const std::array<math::F4, 3> &p, math::F4 rounding) const
+{
+    const math::F4 zero = math::splat(0), one = math::splat(1);
+    math::F4 edge = math::splat(3e38f), inside = math::splat(3e38f);
+    for (size_t k = 0; k < 3; ++k) {
+        const Four3 to = minus(p, corners_[k]);
+        inside = smaller(inside, dot(inward_[k], to));
+        const math::F4 along = smaller(larger(dot(to, edges_[k]) * inverse_squares_[k], zero), one);
+        const Four3 off = {to[0] - along * edges_[k][0], to[1] - along * edges_[k][1], to[2] - along * edges_[k][2]};
+        edge = smaller(edge, dot(off, off));
+    }
+    const math::F4 plane = dot(normal_, minus(p, corners_[0])), above = plane * plane;
+    return inside + nothing_inside_ >= -rounding ? above : edge;
+}
+
+NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : slots_(triangles.size())
+{
+    AabbTree tree(triangles);
+    order_ = std::move(tree.order);
+    for (const uint32_t t : order_) {
         slots_[t] = static_cast<uint32_t>(triangles_.size());
         triangles_.emplace_back(triangles[t]);
     }
-    const glm::dvec3 maximum = glm::max(glm::abs(tree_.boxes[0].min), glm::abs(tree_.boxes[0].max));
-    slack_ = 1e-18 * glm::dot(maximum, maximum);
+    centre_ = 0.5 * (tree.boxes[0].min + tree.boxes[0].max);
+    const glm::dvec3 half = tree.boxes[0].max - centre_;
+    scale_ = 1 / std::max({half.x, half.y, half.z, 1e-150});
+    root_ = add(tree, 0);
 }
 
-// Boxes beyond `enough` are skipped. The result is the first of the nearest triangles in tree order, whatever the
-// guess; `enough` is a little larger than the guess's distance because rounding decides between equals.
+uint32_t NearestPoint::add(const AabbTree &tree, uint32_t box)
+{
+    const AabbTree::Box &from = tree.boxes[box];
+    if (!from.left) {
+        leaves_.push_back({{&triangles_[from.begin], from.end - from.begin, centre_, scale_}, from.begin, from.end});
+        return static_cast<uint32_t>(leaves_.size() - 1) | leaf_bit;
+    }
+    std::vector<uint32_t> children;
+    for (const uint32_t child : {from.left, from.left + 1}) {
+        const uint32_t left = tree.boxes[child].left;
+        if (!left) children.push_back(child);
+        else children.push_back(left), children.push_back(left + 1);
+    }
+    const size_t at = nodes_.size();
+    nodes_.emplace_back();
+    for (size_t i = 0; i < 4; ++i) {
+        const AabbTree::Box &of = tree.boxes[children[std::min(i, children.size() - 1)]];
+        set(nodes_[at].min, i, scale_ * (of.min - centre_)), set(nodes_[at].max, i, scale_ * (of.max - centre_));
+        const uint32_t child = i < children.size() ? add(tree, children[i]) : none;
+        nodes_[at].child[i] = child;
+    }
+    return static_cast<uint32_t>(at);
+}
+
+// Boxes and triangles whose distance in floats is above `limit` are skipped; the others are measured in doubles.
 NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
 {
-    Found best;
-    best.distance_squared = std::numeric_limits<double>::infinity();
-    const double slack = slack_ + 1e-18 * glm::dot(p, p);
-    double enough = std::numeric_limits<double>::infinity();
-    const auto a_little_more = [slack](double square) { return square + 1e-9 * square + slack; };
-    if (guess < slots_.size()) {
-        const PrecomputedTriangle &t = triangles_[slots_[guess]];
-        const glm::dvec3 off = point_on(t.corners, t.nearest(p)) - p;
-        enough = a_little_more(glm::dot(off, off));
-    }
-    struct Open {
-        uint32_t box;
-        double square;
+    const glm::dvec3 here = scale_ * (p - centre_), away = glm::abs(here);
+    const double error = float_error * (1 + std::max({away.x, away.y, away.z}));
+    const Four3 at = splat(here);
+    const math::F4 rounded = math::splat(float(error));
+    uint32_t best = none;
+    glm::dvec3 weights(0);
+    double least = std::numeric_limits<double>::infinity();
+    float limit = 3e38f;
+    const auto try_triangle = [&](uint32_t slot) {
+        const PrecomputedTriangle &t = triangles_[slot];
+        const glm::dvec3 w = t.nearest(p), off = point_on(t.corners, w) - p;
+        const double square = glm::dot(off, off);
+        if (!(square < least || (square == least && slot < best))) return;
+        best = slot, weights = w, least = square;
+        const double reach = (1 + 1e-5) * scale_ * std::sqrt(square) + error;
+        limit = static_cast<float>(std::min(reach * reach * (1 + 1e-6), 3e38));
     };
-    std::array<Open, 128> open;  // the tree halves its range, so its depth is at most the bits of a count
+    if (guess < slots_.size()) try_triangle(slots_[guess]);
+    struct Open {
+        uint32_t node;
+        float square;
+    };
+    std::array<Open, 64> open;  // the tree quarters its range: at most 16 levels with three siblings each, and four
     size_t count = 0;
-    open[count++] = {0, 0};
+    open[count++] = {root_, 0};
     while (count) {
         const Open next = open[--count];
-        if (next.square >= best.distance_squared || next.square > enough) continue;
-        const AabbTree::Box &box = tree_.boxes[next.box];
-        if (box.left) {
-            const AabbTree::Box &left = tree_.boxes[box.left], &right = tree_.boxes[box.left + 1];
-            const Open a = {box.left, distance_squared(left.min, left.max, p)},
-                       b = {box.left + 1, distance_squared(right.min, right.max, p)};
-            const bool left_first = a.square <= b.square;
-            open[count++] = left_first ? b : a;
-            open[count++] = left_first ? a : b;
+        if (next.square > limit) continue;
+        if (next.node & leaf_bit) {
+            const Leaf &leaf = leaves_[next.node & ~leaf_bit];
+            const math::F4 squares = leaf.block.distances_squared(at, rounded);
+            for (uint32_t i = leaf.begin; i < leaf.end; ++i)
+                if (squares[i - leaf.begin] <= limit) try_triangle(i);
             continue;
         }
-        for (uint32_t i = box.begin; i < box.end; ++i) {
-            const PrecomputedTriangle &t = triangles_[i];
-            if (distance_squared(t.min, t.max, p) > enough) continue;
-            const glm::dvec3 weights = t.nearest(p);
-            const glm::dvec3 off = point_on(t.corners, weights) - p;
-            const double square = glm::dot(off, off);
-            if (square < best.distance_squared) {
-                best = {tree_.order[i], weights, square};
-                enough = std::min(enough, a_little_more(square));
-            }
+        const Node &node = nodes_[next.node];
+        math::F4 squares = math::splat(0);
+        for (size_t k = 0; k < 3; ++k) {
+            const math::F4 outside = larger(larger(node.min[k] - at[k], at[k] - node.max[k]), math::splat(0));
+            squares += outside * outside;
+        }
+        const size_t first = count;  // the nearest goes on top
+        for (size_t i = 0; i < 4; ++i) {
+            if (node.child[i] == none || squares[i] > limit) continue;
+            size_t k = count++;
+            for (; k > first && open[k - 1].square < squares[i]; --k) open[k] = open[k - 1];
+            open[k] = {node.child[i], squares[i]};
         }
     }
-    return best;
+    for (uint32_t i = 0; best == none && i < triangles_.size(); ++i) try_triangle(i);  // too far away for floats
+    return {order_[best], weights, least};
 }
 
 NearestPoint::Found nearest_of(const std::vector<PrecomputedTriangle> &triangles, glm::dvec3 p)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/lod/surface/aabb_tree.h"
+#include "lib/math/simd.h"
 
 namespace claque::lod
 {
@@ -14,8 +15,27 @@ struct PrecomputedTriangle {
 
     Corners3 corners, edges;
     std::array<double, 3> squares;  // of the edges' lengths
-    glm::dvec3 normal, min, max;
+    glm::dvec3 normal;
     double square;  // of the normal's length
+};
+
+// Four triangles as floats: distances that are at most a bound too large.
+class TriangleBlock
+{
+public:
+    // 1 to 4 triangles; coordinates are relative to `origin`, times `scale`.
+    TriangleBlock(const PrecomputedTriangle *triangles, size_t count, glm::dvec3 origin, double scale);
+    // Returns the squared distances of `p`, each at most that of a point closer by `rounding`, the bound of the error of
+    // a coordinate. Lanes without a triangle are far away.
+    math::F4 distances_squared(const std::array<math::F4, 3> &p, math::F4 rounding) const;
+
+private:
+    using Four3 = std::array<math::F4, 3>;
+    std::array<Four3, 3> corners_, edges_,
+        inward_;                               // inward_: of length 1, from each edge
+    Four3 normal_;                             // of length 1, or 0 for a needle
+    math::F4 nothing_inside_;                  // 0, or far below it for a point or a line
+    std::array<math::F4, 3> inverse_squares_;  // of the edges' lengths
 };
 
 class NearestPoint
@@ -29,15 +49,29 @@ public:
         glm::dvec3 weights = glm::dvec3(0);  // of the triangle's corners
         double distance_squared = 0;
     };
-    // Of several nearest triangles it returns any, always the same. `guess`: a triangle that may be near; it saves time
-    // and does not change the result.
+    // Of several nearest triangles it returns the first in the tree's order. `guess`: a triangle that may be near; it
+    // saves time and does not change the result.
     Found to(glm::dvec3 p, uint32_t guess = 0xffffffff) const;
 
 private:
-    AabbTree tree_;
+    struct Node {  // four children
+        std::array<math::F4, 3> min, max;
+        std::array<uint32_t, 4> child;
+    };
+    struct Leaf {
+        TriangleBlock block;
+        uint32_t begin, end;
+    };
+    static constexpr uint32_t none = 0xffffffff, leaf_bit = 0x80000000;
+    uint32_t add(const AabbTree &tree, uint32_t box);
+
     std::vector<PrecomputedTriangle> triangles_;  // in tree order
-    std::vector<uint32_t> slots_;                 // [triangles] index into triangles_
-    double slack_ = 0;                            // bound of the rounding error of a squared distance
+    std::vector<uint32_t> order_, slots_;         // from triangles_ to the given ones, and back
+    std::vector<Node> nodes_;
+    std::vector<Leaf> leaves_;
+    glm::dvec3 centre_ = glm::dvec3(0);  // of all; coordinates of nodes and leaves are relative to it,
+    double scale_ = 1;                   // and at most 1 in size after multiplication by this
+    uint32_t root_ = 0;
 };
 
 // The same by brute force for a few triangles; of none, infinitely far.

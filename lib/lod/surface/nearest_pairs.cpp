@@ -33,16 +33,21 @@ struct PartTrees::Tree {
     NearestPoint nearest;
 };
 
-PartTrees::PartTrees(const PosedParts &to) : by_part_(to.part_count() > 1 ? to.part_count() : 0)
+PartTrees::PartTrees(const PosedParts &to, uint32_t part_counts) : part_count_(to.part_count())
 {
+    const bool any = part_counts == model::none;
+    if (part_count_ > 1 && (any || part_counts == part_count_)) by_part_.resize(part_count_);
     std::vector<std::vector<uint32_t>> which(to.part_count() + 1);
     for (uint32_t t = 0; t < to.triangles().size(); ++t) {
         which[to.triangles()[t].part].push_back(t);
         which.back().push_back(t);
     }
-    for (size_t i = 0; i < by_part_.size(); ++i)
+    bool is_needed = any || by_part_.empty();
+    for (size_t i = 0; i < by_part_.size(); ++i) {
         if (!which[i].empty()) by_part_[i] = std::make_unique<Tree>(to, std::move(which[i]));
-    if (!which.back().empty()) all_ = std::make_unique<Tree>(to, std::move(which.back()));
+        else is_needed = true;
+    }
+    if (is_needed && !which.back().empty()) all_ = std::make_unique<Tree>(to, std::move(which.back()));
 }
 
 PartTrees::~PartTrees() = default;
@@ -50,8 +55,8 @@ PartTrees::~PartTrees() = default;
 std::vector<PointPair> PartTrees::nearest_pairs(const PosedParts &from) const
 {
     std::vector<PointPair> out;
-    if (!all_) return out;
-    const bool part_by_part = from.part_count() == by_part_.size();
+    const bool part_by_part = !by_part_.empty() && from.part_count() == part_count_;
+    if (!all_ && !part_by_part) return out;
     // A vertex is a corner of several triangles, and the nearest triangle of one point is mostly that of the next.
     std::vector<SurfacePoint> of_vertex(from.positions().size(), SurfacePoint{model::none, {}});
     uint32_t guess = model::none;
@@ -82,7 +87,7 @@ std::vector<PointPair> PartTrees::nearest_pairs(const PosedParts &from) const
 
 std::vector<PointPair> nearest_pairs(const PosedParts &from, const PosedParts &to)
 {
-    return PartTrees(to).nearest_pairs(from);
+    return PartTrees(to, from.part_count()).nearest_pairs(from);
 }
 
 std::vector<SurfaceSample> sample_surface(const PosedParts &parts, double count)

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "lib/lod/surface/four.h"
+
 namespace claque::lod
 {
 
@@ -22,20 +24,7 @@ bool intersects_box(glm::dvec3 min, glm::dvec3 max, glm::dvec3 from, glm::dvec3 
 // A bound far above the relative error of a few float operations.
 constexpr double rounding = 1e-5;
 
-using Four3 = std::array<math::F4, 3>;
-
-Four3 splat(glm::dvec3 p) { return {math::splat(float(p.x)), math::splat(float(p.y)), math::splat(float(p.z))}; }
 Four3 splat(const std::array<float, 3> &p) { return {math::splat(p[0]), math::splat(p[1]), math::splat(p[2])}; }
-
-Four3 cross(const Four3 &a, const Four3 &b)
-{
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-math::F4 dot(const Four3 &a, const Four3 &b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-
-math::F4 smaller(math::F4 a, math::F4 b) { return a < b ? a : b; }
-math::F4 larger(math::F4 a, math::F4 b) { return a > b ? a : b; }
 
 }  // namespace
 

@@ -113,14 +113,16 @@ inline size_t max_pairs(size_t triangles)
 class PartTrees
 {
 public:
-    explicit PartTrees(const PosedParts &to);
+    // `part_counts`: of what will ask, if one number is known; trees that it needs not are then left out.
+    explicit PartTrees(const PosedParts &to, uint32_t part_counts = model::none);
     ~PartTrees();
     std::vector<PointPair> nearest_pairs(const PosedParts &from) const;
 
 private:
     struct Tree;
-    std::vector<std::unique_ptr<Tree>> by_part_;  // empty if there is one part
-    std::unique_ptr<Tree> all_;                   // null if there are no triangles
+    uint32_t part_count_;                         // of the target
+    std::vector<std::unique_ptr<Tree>> by_part_;  // empty if there is one part, or if it is not needed
+    std::unique_ptr<Tree> all_;                   // null if there are no triangles, or if it is not needed
 };
 double area_of(const PosedParts &parts, uint32_t triangle);
 

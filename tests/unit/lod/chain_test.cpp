@@ -7,18 +7,12 @@
 #include <gtest/gtest.h>
 
 #include "lib/base/error.h"
-#include "lib/base/hash.h"
 #include "lib/figures/figure.h"
-#include "lib/lod/surface/nearest.h"
 
 using namespace claque;
 
 namespace
 {
-
-double random_unit(uint64_t i) { return double(base::unit(base::mix(i))); }
-
-glm::dvec3 somewhere(uint64_t i) { return {random_unit(3 * i), random_unit(3 * i + 1), random_unit(3 * i + 2)}; }
 
 // A square of four triangles in the plane y = height with a raised centre.
 model::Model pyramid(float raised)
@@ -65,42 +59,6 @@ model::Part flat_of(const model::Model &model)
 }
 
 }  // namespace
-
-TEST(NearestPoint, IsAsNearAsTheBestOfAllTriangles)
-{
-    std::vector<lod::NearestPoint::Triangle> triangles;
-    for (uint64_t i = 0; i < 300; ++i) {
-        const glm::dvec3 at = 4.0 * somewhere(1000 + i);
-        triangles.push_back({at, at + somewhere(2000 + i), at + somewhere(3000 + i)});
-    }
-    triangles.push_back({glm::dvec3(9), glm::dvec3(9), glm::dvec3(9)});  // no area
-    const lod::NearestPoint nearest(triangles);
-    for (uint64_t i = 0; i < 500; ++i) {
-        const glm::dvec3 p = 6.0 * somewhere(5000 + i) - glm::dvec3(1);
-        double best = 1e30;
-        for (const auto &t : triangles) {
-            const glm::dvec3 off = lod::point_on(t, lod::nearest_on(t, p)) - p;
-            best = std::min(best, glm::dot(off, off));
-        }
-        EXPECT_EQ(nearest.to(p).distance_squared, best);
-    }
-}
-
-// Compared with a search over a fine grid of points on the triangle.
-TEST(NearestPoint, OfOneTriangleIsNearerThanAnyPointOfAGrid)
-{
-    for (uint64_t i = 0; i < 50; ++i) {
-        const lod::NearestPoint::Triangle t = {somewhere(i), somewhere(100 + i), somewhere(200 + i)};
-        const glm::dvec3 p = 2.0 * somewhere(300 + i);
-        const double found = glm::length(lod::point_on(t, lod::nearest_on(t, p)) - p);
-        double net = 1e30;
-        for (int a = 0; a <= 60; ++a)
-            for (int b = 0; a + b <= 60; ++b)
-                net = std::min(net, glm::length(lod::point_on(t, glm::dvec3(a, b, 60 - a - b) / 60.0) - p));
-        EXPECT_LE(found, net + 1e-12);
-        EXPECT_GE(found, net - 0.05);
-    }
-}
 
 TEST(Deviation, IsZeroBetweenACharacterAndItself)
 {
