@@ -232,7 +232,14 @@ CLQ_API clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, c
 CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_t max_texture_px,
                                    clq_template **out);
 
-/* Load a glTF file, or make a built-in character, and build its template in one call.
+/* Load a glTF file, or make a built-in character, and build its template in levels of detail, in one call.
+ *
+ * Levels are those of clq_asset_make_levels with NULL; parts with distances of their own keep them. A character that
+ * it refuses with LIMIT is built without levels, and a warning says why. Levels take seconds, so the template is kept
+ * on disk as by clq_template_prepare, in $XDG_CACHE_HOME/claque, else $HOME/.cache/claque; without a folder it is made
+ * in each call. The template of the same bytes and options then comes from there, in milliseconds, without the warnings
+ * of the file. For one without levels, or nothing on disk: clq_asset_load or clq_asset_builtin, then clq_asset_build.
+ *   out   owned by the host until clq_template_destroy
  * Fail: as clq_asset_load or clq_asset_builtin, and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
                                           const clq_asset_options *options, clq_template **out);

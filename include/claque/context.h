@@ -2,7 +2,7 @@
  * context and must be destroyed before it. Assets (claque/assets.h) use a context during calls only.
  *
  * libclaque reads one variable of the environment, CLAQUE_SIMD (claque/simd.h). libclaque-assets also reads
- * XDG_CACHE_HOME and HOME where clq_prepare_def.folder is NULL. */
+ * XDG_CACHE_HOME and HOME, in calls that make a template of a file or of a built-in character at once. */
 #ifndef CLAQUE_CONTEXT_H
 #define CLAQUE_CONTEXT_H
 

@@ -20,11 +20,11 @@ namespace
 {
 
 // The URIs of buffers and images of a glTF file, as far as it can be parsed.
-std::vector<std::string> uris_of(const std::vector<uint8_t> &bytes, uint64_t memory_bytes)
+std::vector<std::string> uris_of(const uint8_t *bytes, uint64_t size, uint64_t memory_bytes)
 {
     std::vector<std::string> uris;
     try {
-        const Container container = open_container(bytes.data(), bytes.size());
+        const Container container = open_container(bytes, size);
         const JsonDocument document(container.json, container.json_size, memory_bytes);
         for (const char *kind : {"buffers", "images"}) {
             const JsonView list = document.root()[kind];
@@ -56,12 +56,13 @@ std::string ContentHash::hex() const
     return text;
 }
 
-void add_file(const std::string &path, const std::string &folder, uint64_t limit_bytes, ContentHash &content_hash)
+void add_bytes(const void *bytes, uint64_t size, const std::string &folder, uint64_t limit_bytes,
+               ContentHash &content_hash)
 {
-    const std::vector<uint8_t> bytes = read_file(path, limit_bytes);
-    content_hash.add(bytes.data(), bytes.size());
+    content_hash.add(bytes, size);
+    if (folder.empty()) return;
     std::unordered_set<std::string> read;  // each file once, however often and however it is named
-    for (const std::string &uri : uris_of(bytes, limit_bytes)) {
+    for (const std::string &uri : uris_of(static_cast<const uint8_t *>(bytes), size, limit_bytes)) {
         try {
             const std::string name = std::filesystem::path(decode_relative_path(uri)).lexically_normal().string();
             if (!read.insert(name).second) continue;
@@ -71,6 +72,12 @@ void add_file(const std::string &path, const std::string &folder, uint64_t limit
             content_hash.add(uint64_t(0));
         }
     }
+}
+
+void add_file(const std::string &path, const std::string &folder, uint64_t limit_bytes, ContentHash &content_hash)
+{
+    const std::vector<uint8_t> bytes = read_file(path, limit_bytes);
+    add_bytes(bytes.data(), bytes.size(), folder, limit_bytes, content_hash);
 }
 
 std::string user_cache_folder()

@@ -25,6 +25,8 @@ private:
 
 // Adds the bytes of a glTF file and of the files that it names below `folder`, or of any other file. A missing file is
 // hashed as missing; its reader reports it. Throws base::Error as read_file does.
+void add_bytes(const void *bytes, uint64_t size, const std::string &folder, uint64_t limit_bytes,
+               ContentHash &content_hash);  // the same for a file that has been read; `folder`: "" for no others
 void add_file(const std::string &path, const std::string &folder, uint64_t limit_bytes, ContentHash &content_hash);
 
 // $XDG_CACHE_HOME/claque or ~/.cache/claque; empty if neither variable is set.

@@ -85,7 +85,10 @@ Json bench_shadows(const BenchArguments &a)
     Progress progress("claque bench");
     scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden);
+    if (!a.setup.file.empty()) {
+        const scenes::Lod levels = a.lods.front() == "on" ? scenes::Lod::on : scenes::Lod::off;
+        loaded = load_character(library, a.setup.file, a.setup.hidden, {}, levels);
+    }
     Json report = {{"claque", version()}, {"threads", thread_count(a.setup)}, {"frames", a.frames}};
     report["time"] = "processor time of all threads";
     report["size_px"] = {a.setup.width, a.setup.height};

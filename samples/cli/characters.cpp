@@ -42,6 +42,56 @@ void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::
     }
 }
 
+bool is_builtin(const std::string &path)
+{
+    // A name without folder or extension, and no such file.
+    return path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0;
+}
+
+clq_asset_options options_of(const std::vector<const char *> &hidden, const ClipArguments &clips)
+{
+    clq_asset_options options = clq_asset_options_init();
+    options.hidden_nodes = hidden.data();
+    options.bvh_metres_per_unit = clips.unit_m;
+    options.hidden_node_count = static_cast<uint32_t>(hidden.size());
+    return options;
+}
+
+std::vector<const char *> pointers(const std::vector<std::string> &names)
+{
+    std::vector<const char *> out;
+    for (const std::string &name : names) out.push_back(name.c_str());
+    return out;
+}
+
+// The template in levels of detail; NULL if the character has levels of its own or too much for any.
+clq_template *in_levels(scenes::Library &library, const std::string &path, const std::vector<std::string> &hidden,
+                        const ClipArguments &clips)
+{
+    clq_template *made = nullptr;
+    clq_status status = CLQ_OK;
+    if (clips.files.empty()) {
+        const std::vector<const char *> names = pointers(hidden);
+        const clq_asset_options options = options_of(names, clips);
+        const clq_levels_def levels = clq_levels_def_init();
+        clq_prepare_def def = clq_prepare_def_init();
+        def.levels = &levels;
+        if (is_builtin(path)) def.builtin = path.c_str(), def.clip_count = clips.vary;
+        else def.path = path.c_str(), def.options = &options;
+        status = clq_template_prepare(library.context(), &def, &made, nullptr);
+    } else {
+        // An asset of its own: levels are parts, and the box of the character is that of the finest.
+        const scenes::Own<clq_asset> asset = load_asset(library, path, hidden, clips);
+        status = clq_asset_make_levels(library.context(), asset.get(), nullptr, nullptr);
+        if (status == CLQ_OK) status = clq_asset_build(library.context(), asset.get(), 0, &made);
+    }
+    if (status == CLQ_LIMIT)
+        clq_context_log(library.context(), CLQ_LOG_WARNING,
+                        (std::string("no levels of detail: ") + clq_last_error()).c_str());
+    else if (status != CLQ_ARGUMENT) check(status, path);
+    return made;
+}
+
 }  // namespace
 
 scenes::Character LoadedCharacter::character() const
@@ -66,19 +116,14 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
                                   uint32_t *first_clip)
 {
     clq_asset *made = nullptr;
-    // A name without folder or extension, and no such file: a built-in character.
-    if (path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0) {
+    if (is_builtin(path)) {
         if (clips.vary > 0) check(clq_asset_builtin_varied(library.context(), path.c_str(), clips.vary, &made));
         else check(clq_asset_builtin(library.context(), path.c_str(), &made));
     } else {
         if (clips.vary > 0)
             throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
-        std::vector<const char *> names;
-        for (const std::string &name : hidden) names.push_back(name.c_str());
-        clq_asset_options options = clq_asset_options_init();
-        options.hidden_nodes = names.data();
-        options.bvh_metres_per_unit = clips.unit_m;
-        options.hidden_node_count = static_cast<uint32_t>(names.size());
+        const std::vector<const char *> names = pointers(hidden);
+        const clq_asset_options options = options_of(names, clips);
         check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
     }
     scenes::Own<clq_asset> asset(made);
@@ -88,7 +133,7 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
 }
 
 LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden, const ClipArguments &clips)
+                               const std::vector<std::string> &hidden, const ClipArguments &clips, scenes::Lod levels)
 {
     LoadedCharacter loaded;
     clq_template *made = nullptr;
@@ -99,7 +144,8 @@ LoadedCharacter load_character(scenes::Library &library, const std::string &path
         check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
     } else {
         loaded.asset = load_asset(library, path, hidden, clips, &loaded.first_clip);
-        check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
+        if (levels == scenes::Lod::on) made = in_levels(library, path, hidden, clips);
+        if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
     }
     loaded.tmpl.reset(made);
     return loaded;

@@ -25,8 +25,11 @@ bool is_prepared(const std::string &path);
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
                                   const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
                                   uint32_t *first_clip = nullptr);
+// Levels of detail are made where `levels` says so and the character has none of its own; without added clips they come
+// from the cache folder the next time.
 LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {});
+                               const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
+                               scenes::Lod levels = scenes::Lod::off);
 
 clq_asset_info info_of(const clq_asset *asset);
 clq_template_info info_of(const clq_template *tmpl);

@@ -46,7 +46,9 @@ void write(const ParityArguments &a, Writer writer)
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
+    if (!a.setup.file.empty())
+        loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips,
+                                a.setup.lod == "off" ? scenes::Lod::off : scenes::Lod::on);
     const scenes::SceneOptions options = scene_options(a.setup, loaded);
     scenes::SceneRenderer scene_renderer(library, options);
     const size_t count =

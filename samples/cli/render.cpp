@@ -147,7 +147,8 @@ void render(const RenderArguments &a)
     Json report = about(a, options);
     const auto prepare = [&] {
         progress.phase("preparing");
-        if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips);
+        if (!a.setup.file.empty())
+            loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips, levels_of_file(a.setup));
         options = scene_options(a.setup, loaded);
         scene_renderer.emplace(library, options);
         report["count"] = scene_renderer->crowd_stats().actor_count;

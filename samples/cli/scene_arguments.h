@@ -36,7 +36,8 @@ struct SceneArguments {
     double key_pose_hz = 15;
     std::string cull = "actor", rigid_mode = "vertices", vertex_format = "float", show = "nothing";
     double cull_scale = 1;
-    std::string lod = "off";  // on the plaza and in the odeon
+    std::string lod = "off";           // on the plaza and in the odeon
+    bool file_without_levels = false;  // --lod off was given: FILE has only levels of its own
     std::string shadows = "painted";
     double blob_from_m = 40;
     uint32_t flush_triangles = 0, flat_triangles = 64;
@@ -45,6 +46,12 @@ struct SceneArguments {
 
     int width = 1024, height = 768;
 };
+
+// Whether levels of detail are made for the character of FILE.
+inline scenes::Lod levels_of_file(const SceneArguments &a)
+{
+    return a.file_without_levels ? scenes::Lod::off : scenes::Lod::on;
+}
 
 // --hide, for subcommands that take a character's file.
 void add_hide_option(CLI::App &command, SceneArguments &arguments);

@@ -83,7 +83,8 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
         ->capture_default_str();
     c.add_option("--lod", a->what.setup.lod,
                  "People with levels of detail (on) or without (off), where the scene has both")
-        ->check(CLI::IsMember({"off", "on"}));
+        ->check(CLI::IsMember({"off", "on"}))
+        ->each([a](const std::string &lod) { a->what.setup.file_without_levels = lod == "off"; });
     c.add_option("--seed", a->what.setup.seed, "Seed of everything random")->capture_default_str();
     c.add_option("--threads", a->what.setup.threads, "Threads of the update, through oneTBB (default: the cores)")
         ->check(CLI::Range(1, 4));

@@ -102,7 +102,8 @@ void add_texture(scenes::Library &library, clq_asset *asset, const std::string &
 
 LoadedCharacter load_textured(scenes::Library &library, const ViewWhat &what)
 {
-    if (what.textures.empty()) return load_character(library, what.setup.file, what.setup.hidden);
+    if (what.textures.empty())
+        return load_character(library, what.setup.file, what.setup.hidden, {}, levels_of_file(what.setup));
     if (is_prepared(what.setup.file))
         throw scenes::Failure(what.setup.file + " is prepared, and takes no other texture");
     LoadedCharacter loaded;

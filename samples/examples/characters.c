@@ -46,7 +46,7 @@ int main(void)
     check(clq_template_get_marker(flag, 0, &half));
     expect(strcmp(half.name, "half") == 0 && half.time_s == 0.5f, "the marker is as in the file");
     clq_template_destroy(flag);
-    check(clq_template_load_gltf(context, gltf, sizeof gltf - 1, NULL, &flag)); /* the same in one call */
+    check(clq_template_load_gltf(context, gltf, sizeof gltf - 1, NULL, &flag)); /* the same at once, in levels */
     expect(clq_template_find_node(flag, "flag") == 0, "the template has the file's node");
     clq_template_destroy(flag);
     expect(clq_asset_load(context, gltf, 40, NULL, &asset) == CLQ_FORMAT, "a file that is cut off is refused");

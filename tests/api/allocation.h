@@ -70,7 +70,10 @@ protected:
             path.c_str(), fm::Reach::everything, stride,
             [&] {
                 out = nullptr;
-                const clq_status status = clq_template_load_gltf(context_, bytes.data(), bytes.size(), &options, &out);
+                clq_asset *asset = nullptr;
+                clq_status status = clq_asset_load(context_, bytes.data(), bytes.size(), &options, &asset);
+                if (status == CLQ_OK) status = clq_asset_build(context_, asset, 0, &out);
+                clq_asset_destroy(asset);
                 if (status == CLQ_OK) clq_template_destroy(out);
                 return status;
             },

@@ -74,15 +74,19 @@ void add_asset_makers(std::vector<Call> &all)
     all.push_back({"clq_asset_build",
                    [](W w) { return clq_asset_build(w.test.context, w.person, 8, w.out<clq_template>()); }, inside,
                    note_template, "person"});
-    all.push_back({"clq_template_load_gltf",
-                   [](W w) {
-                       return clq_template_load_gltf(w.test.context, w.file.data(), w.file.size(), nullptr,
-                                                     w.out<clq_template>());
-                   },
-                   inside, note_template});
-    all.push_back({"clq_template_builtin",
-                   [](W w) { return clq_template_builtin(w.test.context, "citizen", w.out<clq_template>()); }, inside,
-                   note_template});
+    // From disk: what they do otherwise is in the calls above, in clq_asset_make_levels and in clq_template_prepare.
+    const auto load_gltf = [](W w) {
+        return clq_template_load_gltf(w.test.context, w.file.data(), w.file.size(), nullptr, w.out<clq_template>());
+    };
+    const auto builtin = [](W w) { return clq_template_builtin(w.test.context, "citizen", w.out<clq_template>()); };
+    const auto prime_load = [load_gltf](W w) {
+        if (load_gltf(w) == CLQ_OK) clq_template_destroy(static_cast<clq_template *>(w.made));
+    };
+    const auto prime_builtin = [builtin](W w) {
+        if (builtin(w) == CLQ_OK) clq_template_destroy(static_cast<clq_template *>(w.made));
+    };
+    all.push_back({"clq_template_load_gltf", load_gltf, inside, note_template, "", prime_load});
+    all.push_back({"clq_template_builtin", builtin, inside, note_template, "", prime_builtin});
     const auto prepare = [](W w, const char *name) {
         const std::string path = path_of("WrittenMorph.gltf"), folder = *name ? in_folder(w, name) : "";
         clq_prepare_def def = clq_prepare_def_init();

@@ -233,8 +233,11 @@ void add_character_seeds(std::vector<Seed> &out)
     add_template(out, "strip", tmpl);
     for (const auto &[name, maker] : {std::pair{"limb", moving}, {"variants", in_variants()}, {"triangle", triangle}}) {
         const Bytes bytes = maker.glb();
-        if (done(clq_template_load_gltf(context, bytes.data(), bytes.size(), nullptr, &tmpl), {}))
+        clq_asset *asset = nullptr;
+        if (done(clq_asset_load(context, bytes.data(), bytes.size(), nullptr, &asset), {}) &&
+            done(clq_asset_build(context, asset, 0, &tmpl), {}))
             add_template(out, name, tmpl);
+        clq_asset_destroy(asset);
     }
     end(context);
 }

@@ -132,23 +132,4 @@ clq_status clq_asset_build(clq_context *context, const clq_asset *asset, uint32_
     return named != CLQ_OK ? named : status;
 }
 
-clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
-                                  const clq_asset_options *options, clq_template **out)
-{
-    clq_asset *asset = nullptr;
-    clq_status status = clq_asset_load(context, bytes, size_bytes, options, &asset);
-    if (status == CLQ_OK) status = clq_asset_build(context, asset, 0, out);
-    clq_asset_destroy(asset);
-    return status;
-}
-
-clq_status clq_template_builtin(clq_context *context, const char *name, clq_template **out)
-{
-    clq_asset *asset = nullptr;
-    clq_status status = clq_asset_builtin(context, name, &asset);
-    if (status == CLQ_OK) status = clq_asset_build(context, asset, 0, out);
-    clq_asset_destroy(asset);
-    return status;
-}
-
 }  // extern "C"

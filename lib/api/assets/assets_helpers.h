@@ -4,6 +4,7 @@
 #include <claque/assets.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "lib/api/struct_size.h"
@@ -24,6 +25,11 @@ inline void pass_on(clq_status status)
     if (status == CLQ_OK) return;
     const std::string text = clq_last_error();
     base::fail(status, "%s", text.c_str());
+}
+
+inline uint64_t limit_of(const clq_asset_options &options)
+{
+    return options.memory_limit_bytes ? options.memory_limit_bytes : uint64_t(1) << 30;
 }
 
 inline std::string folder_of(const std::string &path)
