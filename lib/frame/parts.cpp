@@ -54,8 +54,14 @@ void CullParts::test_parts(uint32_t view, uint32_t i, Tested &tested) const
     const uint32_t count = static_cast<uint32_t>(level.parts.size());
     const uint64_t all = count == model::max_level_parts ? ~uint64_t(0) : (uint64_t(1) << count) - 1;
     visibility.parts = inside.parts == all ? ~uint64_t(0) : inside.parts;
-    if (!inside.parts && !visibility.shadow_only) visibility.inside = Containment::outside;
-    else if (visibility.inside == Containment::outside) visibility.inside = Containment::intersects;
+    if (inside.parts) {
+        if (visibility.inside == Containment::outside) visibility.inside = Containment::intersects;
+        return;
+    }
+    // Beside the picture, but its sphere reaches in: so may its shadow.
+    if (eye.casts() && visibility.inside != Containment::outside) visibility.shadow_only = true;
+    if (visibility.shadow_only) visibility.parts = ~uint64_t(0);
+    else visibility.inside = Containment::outside;
 }
 
 // Tests the candidate in all views.

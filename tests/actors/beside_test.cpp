@@ -118,6 +118,28 @@ TEST(Shadows, CastersAreUpdatedByTheirSweptSphereAndNotDrawn)
     EXPECT_EQ(view.list.items.size(), 0u);
 }
 
+// Its sphere crosses the frustum's edge, but none of its parts does: its shadow may be in the picture all the same.
+TEST(Shadows, CastersWithNoPartInViewAreUpdatedWhereTheirSphereReachesIn)
+{
+    World world;
+    world.add({0, 0, 0});
+    frame::View &view = world.look({0, 1, 10}, {0, 1, 0}, 0.5f, 1);
+    uint32_t beside = 0;
+    for (int step = 0; step < 200; ++step) {
+        view.camera.eye.x = 2 + 0.02 * step;
+        view.shadow = glm::vec3(0);
+        world.update(step);
+        const bool is_seen = !view.list.items.empty();
+        view.shadow = glm::vec3(0, -1e-6f, 0);
+        world.update(step);
+        if (view.list.items.empty()) continue;
+        EXPECT_EQ(view.list.items[0].shadow_only, !is_seen) << view.camera.eye.x;
+        if (!is_seen) EXPECT_EQ(view.list.items[0].parts, ~uint64_t(0));
+        beside += !is_seen;
+    }
+    EXPECT_GT(beside, 3u);
+}
+
 TEST(Ground, CarriesActorsThatFollowItWithinItsReach)
 {
     World world;
