@@ -69,6 +69,17 @@ CLQ_API clq_status clq_view_set_height(clq_view *view, float height_px);
  * Fails: ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_view_set_cull_scale(clq_view *view, float scale);
 
+/* Culls by the part of the picture that is drawn, for a picture whose parts are drawn by several processes or GL
+ * contexts: each draws with the whole picture's camera and viewport, and limits GL to its own part (glScissor). Levels
+ * of detail, ticks, poses and the order of the draw list are those of the whole picture, so that the parts together are
+ * the picture that one view draws. Two exceptions: lod_hysteresis (clq_crowd_def) remembers what this view had in its
+ * own part, and CLQ_CLOCK_LIVE shares its budget among what is in it.
+ *   tile   left, bottom, right, top as shares of the picture's width and height from its lower left corner;
+ *          0 <= left < right <= 1, 0 <= bottom < top <= 1. Copied. Default 0, 0, 1, 1: the whole picture. With
+ *          clq_view_set_cull_scale what both contain is in view
+ * Fails: ARGUMENT, BUSY. Threads: the crowd's writer. GL: none. */
+CLQ_API clq_status clq_view_set_tile(clq_view *view, const float tile[4]);
+
 /* Sets the vector by which shadows fall, in world units. Actors whose bounding sphere, swept by this vector, meets the
  * frustum are updated as shadow casters but not drawn. Default zero: there are no shadows.
  * Fails: ARGUMENT (not finite), BUSY. Threads: the crowd's writer. GL: none. */

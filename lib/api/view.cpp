@@ -115,6 +115,23 @@ clq_status clq_view_set_cull_scale(clq_view *view, float scale)
     });
 }
 
+clq_status clq_view_set_tile(clq_view *view, const float tile[4])
+{
+    return api::boundary("clq_view_set_tile", [&] {
+        api::require(view && tile, "view or tile is NULL");
+        const auto reaches = [&](int low, int high) {
+            return tile[low] >= 0 && tile[low] < tile[high] && tile[high] <= 1;
+        };
+        if (!reaches(0, 2) || !reaches(1, 3))
+            base::fail(CLQ_ARGUMENT,
+                       "a tile from (%g, %g) to (%g, %g): shares of the picture from 0 to 1 are wanted, the second "
+                       "corner right of and above the first",
+                       double(tile[0]), double(tile[1]), double(tile[2]), double(tile[3]));
+        const api::Busy busy(view->crowd);
+        std::copy(tile, tile + 4, view->view.tile);
+    });
+}
+
 clq_status clq_view_set_shadow(clq_view *view, const float fall[3])
 {
     return api::boundary("clq_view_set_shadow", [&] {

@@ -1,5 +1,6 @@
 #include "lib/frame/camera_state.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/math/eye_transform.h"
@@ -16,9 +17,9 @@ constexpr double home_px = 384 * 1.7320508075688772;
 
 math::Frustum pyramid_of(const View &view)
 {
-    float narrowed[16];
-    for (int i = 0; i < 16; ++i) narrowed[i] = view.camera.projection[i] / (i % 4 < 2 ? view.cull_scale : 1.0f);
-    return math::frustum_of(narrowed);
+    const double scale = double(view.cull_scale);
+    const auto bound = [&](int i) { return std::clamp(2 * double(view.tile[i]) - 1, -scale, scale); };
+    return math::frustum_of(view.camera.projection, {bound(0), bound(2), bound(1), bound(3)});
 }
 
 }  // namespace

@@ -34,6 +34,9 @@ struct View {
     Camera camera;          // for the next update
     float height_px = 768;  // of the picture: scales the distances of levels (S0 5); 0: they are taken as they are
     float cull_scale = 1;   // (0, 1]: size of the frustum for culling, relative to that of the picture (S0 Fig. 10)
+    // What of the picture is drawn: left, bottom, right, top as shares of its size from the lower left corner. It
+    // narrows the frustum for culling; nothing else depends on it.
+    float tile[4] = {0, 0, 1, 1};
     glm::vec3 shadow = glm::vec3(0);  // world units: length and direction of shadows; zero: no shadows
 
     draw::DrawList list;  // of the last update

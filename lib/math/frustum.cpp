@@ -5,19 +5,20 @@
 namespace claque::math
 {
 
-Frustum frustum_of(const float projection[16])
+Frustum frustum_of(const float projection[16], const Bounds &bounds)
 {
+    const double ends[6] = {bounds.left, bounds.right, bounds.bottom, bounds.top, -1, 1};
     const auto row = [&](int r, int c) { return double(projection[4 * c + r]); };
     Frustum out;
     for (int i = 0; i < 6; ++i) {
-        // From -w <= x, x <= w and so on: w + x >= 0, w - x >= 0.
+        // From left * w <= x, x <= right * w and so on: x - left * w >= 0, right * w - x >= 0.
         const int axis = i / 2;
-        const double sign = i % 2 ? -1.0 : 1.0;
-        const glm::dvec3 n(row(3, 0) + sign * row(axis, 0), row(3, 1) + sign * row(axis, 1),
-                           row(3, 2) + sign * row(axis, 2));
+        const double sign = i % 2 ? -1.0 : 1.0, end = -sign * ends[i];
+        const auto term = [&](int c) { return end * row(3, c) + sign * row(axis, c); };
+        const glm::dvec3 n(term(0), term(1), term(2));
         const double length = std::sqrt(n.x * n.x + n.y * n.y + n.z * n.z);
         if (!(length > 1e-12)) continue;
-        out.planes[out.count++] = Plane{n / length, (row(3, 3) + sign * row(axis, 3)) / length};
+        out.planes[out.count++] = Plane{n / length, term(3) / length};
     }
     return out;
 }

@@ -19,9 +19,14 @@ struct Frustum {
 
 enum class Containment : unsigned char { outside = 0, intersects = 1, inside = 2 };
 
+// A part of a picture in normalised device coordinates: -1 is its left or lower edge, 1 the opposite one.
+struct Bounds {
+    double left = -1, right = 1, bottom = -1, top = 1;
+};
+
 // From a column-major GL projection, perspective or parallel, by the six bounds of clip space (Gribb and Hartmann
-// 2001).
-Frustum frustum_of(const float projection[16]);
+// 2001). `bounds`: what of the picture is in view.
+Frustum frustum_of(const float projection[16], const Bounds &bounds = Bounds());
 
 // The planes in axes rotated back: a point p is inside if `turned` * p is inside `frustum`.
 Frustum rotated_back(const Frustum &frustum, const glm::dmat3 &turned);

@@ -170,12 +170,6 @@ void add_crowds(std::vector<Call> &all)
         api_test::look_at(&camera, eye, target, up, 0.9f, 1.3f, 0.1f, 200);
         return clq_view_set_camera(o.view, &camera);
     });
-    change("clq_view_set_height", [](O o) { return clq_view_set_height(o.view, 600); });
-    change("clq_view_set_cull_scale", [](O o) { return clq_view_set_cull_scale(o.view, 1); });
-    change("clq_view_set_shadow", [](O o) {
-        const float fall[3] = {};
-        return clq_view_set_shadow(o.view, fall);
-    });
 }
 
 void add_readers(std::vector<Call> &all)
@@ -235,7 +229,8 @@ void add_readers(std::vector<Call> &all)
 std::vector<Call> all_calls()
 {
     std::vector<Call> all;
-    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_view_calls(all), add_scene_calls(all);
+    add_actors(all), add_plays(all), add_crowds(all), add_readers(all), add_view_calls(all), add_view_settings(all),
+        add_scene_calls(all);
     return all;
 }
 

@@ -33,6 +33,7 @@ struct Call {
 
 const std::vector<Call> &calls();
 void add_view_calls(std::vector<Call> &all);
+void add_view_settings(std::vector<Call> &all);
 void add_scene_calls(std::vector<Call> &all);
 clq_scene *new_scene(clq_crowd *crowd, clq_actor actor);
 

@@ -4,6 +4,24 @@
 namespace busy
 {
 
+void add_view_settings(std::vector<Call> &all)
+{
+    using O = const Objects &;
+    const auto change = [&](const char *name, std::function<clq_status(O)> run) {
+        all.push_back({name, Use::changes_crowd, std::move(run)});
+    };
+    change("clq_view_set_height", [](O o) { return clq_view_set_height(o.view, 600); });
+    change("clq_view_set_cull_scale", [](O o) { return clq_view_set_cull_scale(o.view, 1); });
+    change("clq_view_set_tile", [](O o) {
+        const float whole[4] = {0, 0, 1, 1};
+        return clq_view_set_tile(o.view, whole);
+    });
+    change("clq_view_set_shadow", [](O o) {
+        const float fall[3] = {};
+        return clq_view_set_shadow(o.view, fall);
+    });
+}
+
 void add_view_calls(std::vector<Call> &all)
 {
     using O = const Objects &;

@@ -45,6 +45,10 @@ void World::look()
     const float fall[3] = {random_.oddf(-3, 3), random_.oddf(-3, 0), random_.oddf(-3, 3)}, none[3] = {0, 0, 0};
     call("clq_view_set_shadow", [&] { return clq_view_set_shadow(view, random_.one_in(2) ? none : fall); });
     call("clq_view_set_height", [&] { return clq_view_set_height(view, random_.oddf(0, 2000)); });
+    const bool divided = random_.one_in(8);
+    const float low = divided ? random_.oddf(0, 0.5) : 0, high = divided ? random_.oddf(0.5, 1) : 1;
+    const float tile[4] = {low, 0, high, 1};
+    call("clq_view_set_tile", [&] { return clq_view_set_tile(view, tile); });
     call("clq_view_set_cull_scale", [&] { return clq_view_set_cull_scale(view, random_.oddf(0.4, 1)); });
 }
 

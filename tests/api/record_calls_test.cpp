@@ -41,6 +41,7 @@ const std::map<std::string, std::string> not_recorded = {
     {"clq_view_set_camera", "views belong to the host that looks"},
     {"clq_view_set_cull_scale", "views belong to the host that looks"},
     {"clq_view_set_height", "views belong to the host that looks"},
+    {"clq_view_set_tile", "views belong to the host that looks"},
     {"clq_view_set_shadow", "views belong to the host that looks"},
 };
 

@@ -161,6 +161,21 @@ def test_an_update_tells_who_entered_and_left_view(context, citizen):
         assert crowd.view_changes()[["index1", "in_view"]].tolist() == [(gone.id.index1, True)]
 
 
+def test_a_tile_culls_by_its_part_of_the_picture(context, citizen):
+    with claque.Crowd(context) as crowd:
+        for x in (-3, 3):
+            crowd.add(citizen, (x, 0, -8))
+        view = crowd.view()
+        view.look_at((0, 2, 0), (0, 1, -8))
+        crowd.update(0)
+        assert len(view) == 2
+        view.set_tile(0, 0, 0.5, 1)
+        crowd.update(0)
+        assert len(view) == 1
+        with pytest.raises(claque.Error, match="shares of the picture"):
+            view.set_tile(0.5, 0, 0.5, 1)
+
+
 def test_an_unknown_clip_is_named_with_the_existing_ones(crowd, citizen):
     with pytest.raises(KeyError, match="citizen has no clip 'fly'; it has stand, walk"):
         crowd.add(citizen, clip="fly")

@@ -184,6 +184,10 @@ class View(Owned):
         """Sets the height of the picture in pixels, which affects levels of detail."""
         abi.call("clq_view_set_height", self.handle, c_float(height_px))
 
+    def set_tile(self, left, bottom, right, top):
+        """Culls by a part of the picture, in shares of its size from the lower left corner."""
+        abi.call("clq_view_set_tile", self.handle, (c_float * 4)(left, bottom, right, top))
+
     @property
     def hash(self):
         """The hash of the draw list with all its vertices: equal hashes draw equal pictures."""
