@@ -26,6 +26,10 @@ Json film_about(const RenderArguments &a, const scenes::SceneOptions &options, c
     scene["scenario"] = file_of(s.scenario), scene["path"] = file_of(s.path);
     scene["colours"] = file_of(a.colours.file), scene["clips"] = Json::array();
     for (const std::string &file : a.clips.files) scene["clips"].push_back(file_of(file));
+    if (s.described && !s.described->files.empty()) {
+        scene["scenario_files"] = Json::array();
+        for (const std::string &file : s.described->files) scene["scenario_files"].push_back(file_of(file));
+    }
     scene["vary"] = a.clips.vary;
     scene["count"] = s.count, scene["seed"] = s.seed, scene["camera"] = s.camera;
     scene["size_px"] = {options.width, options.height};

@@ -70,12 +70,13 @@ std::string processor()
     return found;
 }
 
-// How many threads draw does not change pixels.
+// How many threads draw does not change pixels. Of claque's instruction sets fma alone does.
 nlohmann::ordered_json drivers()
 {
     std::set<std::string> all;
     for (char **one = environ; *one; ++one)
-        for (const char *prefix : {"GALLIUM_", "GALLIVM_", "LP_", "SP_", "ST_", "DRAW_", "MESA_", "LIBGL_"})
+        for (const char *prefix :
+             {"GALLIUM_", "GALLIVM_", "LP_", "SP_", "ST_", "DRAW_", "MESA_", "LIBGL_", "CLAQUE_SIMD=fma"})
             if (std::strncmp(*one, prefix, std::strlen(prefix)) == 0) all.insert(*one);
     nlohmann::ordered_json found = nlohmann::ordered_json::object();
     for (const std::string &one : all) {

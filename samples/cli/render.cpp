@@ -1,106 +1,21 @@
-// Draws one picture of a scene, or a sequence.
-#include <cmath>
+// Draws one picture of a scene, or a sequence, by one process or by several.
 #include <optional>
-#include <unistd.h>
 #include <utility>
 
 #include "samples/cli/files.h"
 #include "samples/cli/film_about.h"
 #include "samples/cli/filtering.h"
+#include "samples/cli/frame_crew.h"
 #include "samples/cli/manifest.h"
 #include "samples/cli/measured_rates.h"
-#include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
-#include "samples/cli/stopwatch.h"
+#include "samples/processes/machine_share.h"
 
 namespace cli
 {
 namespace
 {
-
-struct Frame {
-    int number;  // -1: the single picture of --time
-    double time_s;
-    std::string path;
-};
-
-std::vector<Frame> planned(const RenderArguments &a, const scenes::SceneOptions &options)
-{
-    if (a.frames.empty()) return {{-1, a.time_s, a.out}};
-    std::vector<Frame> frames;
-    FrameRange range = a.range;
-    if (a.whole_path) range.last = static_cast<int>(options.path->end_s() * a.fps);
-    std::vector<int> numbers;
-    for (size_t i = 0; i < a.list.size(); i += static_cast<size_t>(a.range.stride)) numbers.push_back(a.list[i]);
-    if (a.list.empty()) numbers = frames_of(range);
-    for (int number : chunk_of(numbers, a.chunk, a.chunk_count))
-        frames.push_back({number, number / a.fps, frame_path(a.out, number)});
-    return frames;
-}
-
-bool finished(const RenderArguments &a, const scenes::SceneOptions &options, const Frame &frame)
-{
-    return frame.number >= 0 && !a.again && frame.path != "-" &&
-           is_whole_png(frame.path, options.width, options.height);
-}
-
-Words words_about(const scenes::SceneOptions &options, const scenes::SceneRenderer &scene_renderer, double time_s)
-{
-    char time[32];
-    std::snprintf(time, sizeof time, "%.6g", time_s);
-    return {{"Software", "claque " + version()},
-            {"Description", options.scene + ", " + std::to_string(scene_renderer.crowd_stats().actor_count) +
-                                " individuals, seed " + std::to_string(options.crowd_options.seed) + ", time " + time +
-                                " s"},
-            {"Source", scene_renderer.context_name()}};
-}
-
-Json draw(scenes::SceneRenderer &scene_renderer, const scenes::SceneOptions &options, const Frame &frame,
-          uint32_t samples)
-{
-    const Stopwatch updating;
-    scene_renderer.update(frame.time_s);
-    const double update_ms = updating.ms();
-    const Stopwatch environment;
-    scene_renderer.draw_environment();
-    scene_renderer.gl().Finish();
-    const double environment_ms = environment.ms();
-    const Stopwatch darkening;
-    const clq_shadow_stats darkened = scene_renderer.draw_shadows();
-    const double shadow_ms = darkening.ms();
-    const Stopwatch drawing;
-    const clq_draw_stats drawn = scene_renderer.draw_crowd();
-    const double draw_ms = drawing.ms();
-    scene_renderer.draw_show();
-    const std::vector<uint8_t> &rgb =
-        samples > 1 ? scene_renderer.picture(frame.time_s, samples) : scene_renderer.read();
-    if (frame.path == "-") write_whole("-", rgb.data(), rgb.size());
-    else {
-        const std::vector<unsigned char> file =
-            png(rgb.data(), options.width, options.height, words_about(options, scene_renderer, frame.time_s));
-        write_whole(frame.path, file.data(), file.size());
-    }
-    const clq_view_stats seen = scene_renderer.view_stats();
-    Json report;
-    if (frame.number >= 0) report["frame"] = frame.number;
-    report["time_s"] = frame.time_s;
-    if (frame.path != "-") report["file"] = frame.path;
-    report["picture_hash"] = hex(scenes::hash_of(rgb));
-    report["list_hash"] = hex(scene_renderer.view_hash());
-    report["update_ms"] = update_ms;
-    report["environment_ms"] = environment_ms;
-    report["draw_ms"] = draw_ms;
-    report["drawn"] = {{"individuals", drawn.individuals},
-                       {"draws", drawn.draws},
-                       {"triangles_seen", seen.triangles},
-                       {"triangles_sent", drawn.triangles},
-                       {"vertices_sent", drawn.vertices}};
-    if (options.shadows.form != scenes::ShadowChoice::Form::painted)
-        report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
-    report["counters"] = counters(scene_renderer.crowd_stats());
-    return report;
-}
 
 std::string camera_of(const RenderArguments &a, const scenes::SceneOptions &options)
 {
@@ -126,71 +41,136 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options)
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
     report["threads"] = thread_count(a.setup);
+    if (process_count(a) > 1) report["processes"] = process_count(a);
     return report;
+}
+
+// One run of the command: what draws its frames, and what is kept of each.
+class Rendering
+{
+public:
+    explicit Rendering(const RenderArguments &a) : a_(a)
+    {
+        if (process_count(a) > 1) {
+            processes::share_mesa_threads(process_count(a), core_count());
+            crew_.emplace(a);
+        } else {
+            drawer_.emplace(a, thread_count(a.setup));
+        }
+        LoadedCharacter none;
+        options_ = scene_options(a.setup, none);
+        report_ = about(a, options_);
+    }
+
+    void run();
+
+private:
+    const Subject &subject()
+    {
+        if (!subject_) {
+            progress_.phase("preparing");
+            subject_ = crew_ ? crew_->subject() : drawer_->subject();
+            report_["count"] = subject_->count, report_["context"] = subject_->context;
+        }
+        return *subject_;
+    }
+    void choose_frames();
+    void draw_alone();
+    void keep(size_t index, Json report, const unsigned char *bytes, size_t size);
+    void write_report();
+
+    const RenderArguments &a_;
+    Progress progress_{"claque"};
+    std::optional<FrameCrew> crew_;  // one of these two
+    std::optional<FrameDrawer> drawer_;
+    scenes::SceneOptions options_;
+    std::optional<Subject> subject_;
+    std::optional<Manifest> manifest_;
+    std::vector<Frame> frames_;
+    std::vector<Json> drawn_;  // by frame
+    size_t done_ = 0;
+    Json report_;
+};
+
+// Leaves out what is there already.
+void Rendering::choose_frames()
+{
+    frames_ = planned_frames(a_, options_);
+    if (!a_.manifest.empty()) {
+        std::vector<int> numbers;
+        for (const Frame &frame : frames_) numbers.push_back(frame.number);
+        manifest_.emplace(a_.manifest, film_about(a_, options_, subject().context), numbers);
+    }
+    report_["skipped"] = Json::array();
+    for (const Frame &frame : std::exchange(frames_, {})) {
+        const bool is_done = manifest_ ? !a_.again && manifest_->has(frame.number, frame.path) : is_finished(a_, frame);
+        if (is_done) report_["skipped"].push_back(frame.number);
+        else frames_.push_back(frame);
+    }
+    drawn_.resize(frames_.size());
+}
+
+void Rendering::keep(size_t index, Json report, const unsigned char *bytes, size_t size)
+{
+    write_whole(frames_[index].path, bytes, size);
+    if (manifest_) manifest_->add(frames_[index].number, frames_[index].path);
+    drawn_[index] = std::move(report);
+    progress_.step(++done_, frames_.size());
+}
+
+void Rendering::draw_alone()
+{
+    for (size_t i = 0; i < frames_.size(); ++i) {
+        Json report = frame_report(frames_[i]);
+        const std::vector<uint8_t> &rgb = drawer_->draw(frames_[i], report);
+        const std::vector<unsigned char> bytes = frame_bytes(frames_[i], rgb.data(), options_, subject());
+        keep(i, std::move(report), bytes.data(), bytes.size());
+    }
+}
+
+void Rendering::write_report()
+{
+    report_["frames"] = drawn_;
+    if (crew_) {
+        report_["replaced_processes"] = crew_->replaced();
+        report_["warnings"] = crew_->warnings();
+    } else {
+        progress_.phase("measuring rates");
+        const bool has_scene = drawer_->has_scene();
+        if (has_scene && options_.linear_clean) report_["filtering"] = filtering(drawer_->scene_renderer());
+        if (has_scene && !frames_.empty())
+            report_["measured"] = measured_rates(drawer_->scene_renderer(), frames_.back().time_s);
+        report_["warnings"] = drawer_->warnings();
+    }
+    write_whole(a_.json, report_.dump(2) + "\n");
+}
+
+void Rendering::run()
+{
+    choose_frames();
+    if (!frames_.empty()) {
+        subject();
+        if (crew_)
+            crew_->draw(frames_, [this](size_t index, Json report, const unsigned char *bytes, size_t size) {
+                keep(index, std::move(report), bytes, size);
+            });
+        else draw_alone();
+    }
+    a_.drawn();
+    if (!a_.json.empty()) write_report();
+    std::string by;
+    if (subject_) by = ", " + std::to_string(subject_->count) + " individuals, " + subject_->context;
+    progress_.conclude(a_.out + ": " + std::to_string(frames_.size()) + " drawn" + by);
 }
 
 }  // namespace
 
 void render(const RenderArguments &a)
 {
-    Progress progress("claque");
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
-
     if (!a.manifest.empty()) expect_writable(a.manifest);
-
-    scenes::Library library(thread_count(a.setup));
-    LoadedCharacter loaded;
-    scenes::SceneOptions options = scene_options(a.setup, loaded);
-    std::optional<scenes::SceneRenderer> scene_renderer;
-    std::optional<Manifest> manifest;
-    Json report = about(a, options);
-    const auto prepare = [&] {
-        progress.phase("preparing");
-        if (!a.setup.file.empty())
-            loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips, levels_of_file(a.setup));
-        options = scene_options(a.setup, loaded);
-        scene_renderer.emplace(library, options);
-        report["count"] = scene_renderer->crowd_stats().actor_count;
-        report["context"] = scene_renderer->context_name();
-    };
-    std::vector<Frame> frames = planned(a, options);
-    if (!a.manifest.empty()) {
-        std::vector<int> numbers;
-        for (const Frame &frame : frames) numbers.push_back(frame.number);
-        prepare();
-        manifest.emplace(a.manifest, film_about(a, options, scene_renderer->context_name()), numbers);
-    }
-    const auto is_done = [&](const Frame &frame) {
-        return manifest ? !a.again && manifest->has(frame.number, frame.path) : finished(a, options, frame);
-    };
-    report["skipped"] = Json::array();
-    for (const Frame &frame : std::exchange(frames, {})) {
-        if (is_done(frame)) report["skipped"].push_back(frame.number);
-        else frames.push_back(frame);
-    }
-
-    SceneColours wardrobe(library, a.colours, options.crowd_options.seed);
-    report["frames"] = Json::array();
-    for (size_t i = 0; i < frames.size(); ++i) {
-        if (!scene_renderer) prepare();
-        wardrobe.apply_to(*scene_renderer);
-        report["frames"].push_back(draw(*scene_renderer, options, frames[i], a.samples));
-        if (manifest) manifest->add(frames[i].number, frames[i].path);
-        progress.step(i + 1, frames.size());
-    }
-    a.drawn();
-    if (!a.json.empty()) {
-        progress.phase("measuring rates");
-        if (scene_renderer && options.linear_clean) report["filtering"] = filtering(*scene_renderer);
-        if (scene_renderer) report["measured"] = measured_rates(*scene_renderer, frames.back().time_s);
-        report["warnings"] = library.warnings();
-        write_whole(a.json, report.dump(2) + "\n");
-    }
-    progress.conclude(a.out + ": " + std::to_string(frames.size()) + " drawn" +
-                      (scene_renderer ? ", " + std::to_string(scene_renderer->crowd_stats().actor_count) +
-                                            " individuals, " + scene_renderer->context_name()
-                                      : ""));
+    Rendering(a).run();
 }
 
 }  // namespace cli

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include "samples/cli/command.h"
+#include "samples/cli/frame_crew.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
 
@@ -28,6 +29,10 @@ void check_picture_usage(RenderArguments &a)
     if (!a.manifest.empty() && a.out == "-")
         throw CLI::ValidationError("--manifest", "needs frames in files, not raw pixels");
     if (a.portable) use_portable_drivers();
+    if (a.divide == "frames" && a.frames.empty())
+        throw CLI::ValidationError("--divide", "a single picture is divided into tiles");
+    if (process_count(a) > 1 && a.colours.reload)
+        throw CLI::ValidationError("--reload", "needs one process: several would not see a change at the same time");
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
     read_scenario(a.setup);
@@ -114,6 +119,14 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
                  "Anti-aliasing: the mean of this many pictures of the same poses, each moved by a fraction of a pixel")
         ->check(CLI::Range(1, 1024));
     c.add_flag("--again", a->again, "Draw finished frames again");
+    c.add_option("--processes", a->processes,
+                 "Draw by this many processes (docs/films.md); pixels do not depend on it (default: 1; in a job of a "
+                 "scheduler the cores that it got)")
+        ->check(CLI::Range(1, 256));
+    c.add_option("--divide", a->divide,
+                 "With --processes: each draws whole frames, or a tile of every frame (default: frames of a sequence, "
+                 "tiles of a single picture)")
+        ->check(CLI::IsMember({"frames", "tiles"}));
     c.add_option("--out,-o", a->out,
                  "PNG file; with --frames a pattern like f-%05d.png; - streams raw RGB, rows from the top")
         ->required();

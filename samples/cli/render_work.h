@@ -24,6 +24,8 @@ struct RenderArguments {
     bool portable = false;
     bool whole_path = false;  // frames up to the path's last key frame
     bool again = false;
+    int processes = 0;                    // 0: one, or as many as a scheduler gave cores
+    std::string divide;                   // frames or tiles; empty: frames of a sequence, tiles of a single picture
     uint32_t samples = 1;                 // pictures that are averaged into one
     std::function<void()> drawn = [] {};  // called when all frames are drawn
 };

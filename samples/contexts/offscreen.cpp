@@ -62,34 +62,36 @@ bool Offscreen::describe(const char *kind, std::string &why_not)
     return true;
 }
 
-void Offscreen::read(unsigned format, unsigned type, size_t pixel_bytes, void *out) const
+void Offscreen::read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const
 {
     ask<void (*)()>(*this, "glFinish")();
     ask<void (*)(unsigned)>(*this, "glPushClientAttrib")(gl_client_pixel_store_bit);
     ask<void (*)(unsigned)>(*this, "glPushAttrib")(gl_pixel_mode_bit);
     default_pixel_state(*this);
-    ask<void (*)(int, int, int, int, unsigned, unsigned, void *)>(*this, "glReadPixels")(0, 0, width_, height_, format,
-                                                                                         type, out);
+    ask<void (*)(int, int, int, int, unsigned, unsigned, void *)>(*this, "glReadPixels")(x0, 0, x1 - x0, height_,
+                                                                                         format, type, out);
     ask<void (*)()>(*this, "glPopAttrib")();
     ask<void (*)()>(*this, "glPopClientAttrib")();
 
-    const size_t row_bytes = pixel_bytes * static_cast<size_t>(width_);
+    const size_t row_bytes = pixel_bytes * static_cast<size_t>(x1 - x0);
     char *rows = static_cast<char *>(out);
     for (int top = 0, bottom = height_ - 1; top < bottom; ++top, --bottom)
         std::swap_ranges(rows + static_cast<size_t>(top) * row_bytes, rows + static_cast<size_t>(top + 1) * row_bytes,
                          rows + static_cast<size_t>(bottom) * row_bytes);
 }
 
-void Offscreen::read_rgb(std::vector<uint8_t> &out) const
+void Offscreen::read_rgb(std::vector<uint8_t> &out) const { read_rgb(0, width_, out); }
+
+void Offscreen::read_rgb(int x0, int x1, std::vector<uint8_t> &out) const
 {
-    out.resize(3 * static_cast<size_t>(width_) * static_cast<size_t>(height_));
-    read(gl_rgb, gl_unsigned_byte, 3, out.data());
+    out.resize(3 * static_cast<size_t>(x1 - x0) * static_cast<size_t>(height_));
+    read(x0, x1, gl_rgb, gl_unsigned_byte, 3, out.data());
 }
 
 void Offscreen::read_depth(std::vector<float> &out) const
 {
     out.resize(static_cast<size_t>(width_) * static_cast<size_t>(height_));
-    read(gl_depth_component, gl_float, sizeof(float), out.data());
+    read(0, width_, gl_depth_component, gl_float, sizeof(float), out.data());
 }
 
 std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not)

@@ -41,6 +41,8 @@ public:
     // Waits for GL, then reads: three bytes, or one float in [0, 1], a pixel, top row first. The context must be
     // current. Pixel store and transfer state are saved and restored.
     void read_rgb(std::vector<uint8_t> &out) const;
+    // The same of the columns [x0, x1).
+    void read_rgb(int x0, int x1, std::vector<uint8_t> &out) const;
     void read_depth(std::vector<float> &out) const;
 
 protected:
@@ -48,7 +50,7 @@ protected:
     bool describe(const char *kind, std::string &why_not);  // fills name_, checks that GL answers
 
 private:
-    void read(unsigned format, unsigned type, size_t pixel_bytes, void *out) const;
+    void read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const;
 
     int width_, height_;
     std::string name_;

@@ -55,6 +55,19 @@ void watch_signals()
     }
 }
 
+void leave_files_to_parent()
+{
+    for (const int number : watched) {
+        struct sigaction present = {};
+        if (sigaction(number, nullptr, &present) == 0 && present.sa_handler == claque_io_end) signal(number, SIG_DFL);
+    }
+    for (Slot &slot : slots) slot.used = false, slot.taken = false;
+    sigset_t held;
+    sigemptyset(&held);
+    for (const int number : watched) sigaddset(&held, number);
+    pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
+}
+
 SignalsHeld::SignalsHeld()
 {
     sigset_t held;

@@ -11,6 +11,9 @@ namespace io
 // To be called by the main thread, which is the one that writes files. Signals that are ignored stay ignored.
 void watch_signals();
 
+// In a child that was forked: signals end it by their default action, and what is unfinished stays the parent's.
+void leave_files_to_parent();
+
 // The watched signals wait while this object of the main thread exists.
 class SignalsHeld
 {

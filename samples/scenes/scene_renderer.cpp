@@ -26,6 +26,16 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
     if (options.cull_scale < 1) scene_->cull_by(static_cast<double>(options.cull_scale));
     if (options.shadows.form != ShadowChoice::Form::painted) take_shadows();
     use_strategy(options.strategy);
+    x1_ = options_.width;
+}
+
+void SceneRenderer::show_tile(int x0, int x1)
+{
+    x0_ = x0, x1_ = x1;
+    if (!scene_->can_cull_by_tile() || options_.show == Show::spheres) return;
+    const float width = static_cast<float>(options_.width);
+    const float tile[4] = {static_cast<float>(x0) / width, 0, static_cast<float>(x1) / width, 1};
+    check(clq_view_set_tile(view_.get(), tile));
 }
 
 void SceneRenderer::expect_viewpoint() const
@@ -120,7 +130,12 @@ void SceneRenderer::draw_environment()
     gl_.Viewport(0, 0, options_.width, options_.height);
     gl_.DepthMask(1);
     gl_.ClearColor(0, 0, 0, 1);
+    gl_.Disable(gl::scissor_test);
     gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
+    if (x0_ > 0 || x1_ < options_.width) {
+        gl_.Enable(gl::scissor_test);
+        gl_.Scissor(x0_, 0, x1_ - x0_, options_.height);
+    }
     scene_->draw_environment(gl_, eye_);
 }
 
@@ -183,7 +198,7 @@ void SceneRenderer::draw_show()
 
 const std::vector<uint8_t> &SceneRenderer::read()
 {
-    offscreen_->read_rgb(rgb_);
+    offscreen_->read_rgb(x0_, x1_, rgb_);
     return rgb_;
 }
 

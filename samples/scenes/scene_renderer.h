@@ -55,6 +55,10 @@ public:
     SceneRenderer(const SceneRenderer &) = delete;
     SceneRenderer &operator=(const SceneRenderer &) = delete;
 
+    // From now on draws the columns [x0, x1) of the picture alone, with the pixels that they have in the whole picture.
+    // read() and picture() then return these columns.
+    void show_tile(int x0, int x1);
+
     // All work without GL: positions of the individuals, and clq_crowd_update.
     void update(double time_s);
     void draw_environment();
@@ -118,6 +122,7 @@ private:
     clq_shadow_def shadows_ = {};                 // if they are claque's
     Eye eye_ = {};
     double moved_px_[2] = {0, 0};  // of the picture, right and up
+    int x0_ = 0, x1_ = 0;          // the columns that are drawn
     std::vector<uint8_t> rgb_;
 };
 

@@ -81,6 +81,35 @@ TEST_F(Film, OfSeveralJobsIsThatOfOne)
     EXPECT_EQ(longer.out, "6 frames are whole, 4 are missing\n8,11-13\n");
 }
 
+TEST_F(Film, OfAScenarioIsDrawnAgainWhereAFileThatItNamesHasChanged)
+{
+    const std::string from = std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/corridor";
+    for (const char *end : {".toml", ".csv", ".wkt"}) fs::copy_file(from + end, path(std::string("corridor") + end));
+    const auto skipped = [&] {
+        const Outcome drawn =
+            claque({"render", "--scenario", path("corridor.toml"), "--size", "48x36", "--frames", "0:2", "--out",
+                    path("f-%d.png"), "--manifest", path("m.json"), "--json", path("r.json")});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        return Json::parse(file_text(path("r.json")))["skipped"].size();
+    };
+    EXPECT_EQ(skipped(), 0u);
+    EXPECT_EQ(skipped(), 3u);
+    std::ofstream(path("corridor.csv"), std::ios::app) << "\n";
+    EXPECT_EQ(skipped(), 0u);
+}
+
+TEST_F(Film, FusedMultiplyAddMakesAnotherFilm)
+{
+    const auto drivers = [&](const char *value) {
+        setenv("CLAQUE_SIMD", value, 1);
+        draw_share(value, 0, 1);
+        unsetenv("CLAQUE_SIMD");
+        return Json::parse(file_text(path(value) + "/m0.json"))["about"]["drivers"];
+    };
+    EXPECT_EQ(drivers("fma")["CLAQUE_SIMD"], "fma");
+    EXPECT_FALSE(drivers("128").contains("CLAQUE_SIMD"));
+}
+
 TEST_F(Film, FramesThatAreGoneOrWereChangedAreNamedAndDrawnAgain)
 {
     draw_share("jobs", 0, 1);

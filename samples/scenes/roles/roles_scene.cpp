@@ -68,6 +68,8 @@ public:
         for (const auto &one : performers_) one->draw_ground(g, eye, time_s_);
     }
 
+    bool can_cull_by_tile() const override { return false; }  // what people carry follows their poses
+
     void draw_things(const Gl &g, const Eye &eye) const override
     {
         for (const auto &one : performers_) one->draw_load(g, eye);

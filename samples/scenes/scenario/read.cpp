@@ -71,8 +71,15 @@ Scenario load_scenario(const std::string &path)
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
     const size_t slash = path.rfind('/');
-    return read_scenario(text, path,
-                         {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, why_not_there});
+    std::vector<std::string> found;
+    const auto find = [&](const std::string &file) {
+        found.push_back(file);
+        return why_not_there(file);
+    };
+    Scenario scenario =
+        read_scenario(text, path, {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, find});
+    scenario.files = found;
+    return scenario;
 }
 
 const Scenario &odeon_scenario()

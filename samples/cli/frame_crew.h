@@ -1,0 +1,40 @@
+// Frames of a film by several processes: whole frames in turn, or each frame in tiles.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "samples/cli/frame_drawer.h"
+
+namespace cli
+{
+
+// How processes share the work: frames take the least time together, tiles take the least time for each frame.
+enum class Division { frames, tiles };
+
+class FrameCrew
+{
+public:
+    // Starts the processes. To be made where no thread and no GL context is; `arguments` must live as long as this.
+    // Throws std::runtime_error, as the next calls do.
+    explicit FrameCrew(const RenderArguments &arguments);
+    ~FrameCrew();
+
+    const Subject &subject();
+    // Calls done(index, report, bytes) for each frame, in any order for files, in this order for standard output.
+    using Done = std::function<void(size_t index, Json report, const unsigned char *bytes, size_t size)>;
+    void draw(const std::vector<Frame> &frames, const Done &done);
+
+    uint32_t replaced() const;  // processes that ended and were replaced
+    const std::vector<std::string> &warnings() const;
+
+private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+// The number of processes that the arguments ask for.
+int process_count(const RenderArguments &arguments);
+Division division_of(const RenderArguments &arguments);
+
+}  // namespace cli

@@ -1,0 +1,97 @@
+#include "samples/cli/frame_drawer.h"
+
+#include <cstdio>
+
+#include "samples/cli/png.h"
+#include "samples/cli/stopwatch.h"
+
+namespace cli
+{
+
+FrameDrawer::FrameDrawer(const RenderArguments &a, int threads)
+    : arguments_(a), library_(threads), options_(scene_options(a.setup, loaded_))
+{
+}
+
+const Subject &FrameDrawer::subject()
+{
+    if (scene_renderer_) return subject_;
+    const RenderArguments &a = arguments_;
+    if (!a.setup.file.empty())
+        loaded_ = load_character(library_, a.setup.file, a.setup.hidden, a.clips, levels_of_file(a.setup));
+    options_ = scene_options(a.setup, loaded_);
+    scene_renderer_.emplace(library_, options_);
+    wardrobe_.emplace(library_, a.colours, options_.crowd_options.seed);
+    subject_ = {scene_renderer_->crowd_stats().actor_count, scene_renderer_->context_name()};
+    return subject_;
+}
+
+const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
+{
+    subject();
+    scenes::SceneRenderer &scene = *scene_renderer_;
+    wardrobe_->apply_to(scene);
+    const Stopwatch updating;
+    scene.update(frame.time_s);
+    const double update_ms = updating.ms();
+    const Stopwatch environment;
+    scene.draw_environment();
+    scene.gl().Finish();
+    const double environment_ms = environment.ms();
+    const Stopwatch darkening;
+    const clq_shadow_stats darkened = scene.draw_shadows();
+    const double shadow_ms = darkening.ms();
+    const Stopwatch drawing;
+    const clq_draw_stats drawn = scene.draw_crowd();
+    const double draw_ms = drawing.ms();
+    scene.draw_show();
+    const std::vector<uint8_t> &rgb =
+        arguments_.samples > 1 ? scene.picture(frame.time_s, arguments_.samples) : scene.read();
+    const clq_view_stats seen = scene.view_stats();
+    report["picture_hash"] = hex(scenes::hash_of(rgb));
+    report["list_hash"] = hex(scene.view_hash());
+    report["update_ms"] = update_ms;
+    report["environment_ms"] = environment_ms;
+    report["draw_ms"] = draw_ms;
+    report["drawn"] = {{"individuals", drawn.individuals},
+                       {"draws", drawn.draws},
+                       {"triangles_seen", seen.triangles},
+                       {"triangles_sent", drawn.triangles},
+                       {"vertices_sent", drawn.vertices}};
+    if (options_.shadows.form != scenes::ShadowChoice::Form::painted)
+        report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
+    report["counters"] = counters(scene.crowd_stats());
+    return rgb;
+}
+
+const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, const processes::Tile &tile, Json &report)
+{
+    subject();
+    scene_renderer_->show_tile(tile.x0, tile.x1);
+    return draw(frame, report);
+}
+
+std::vector<unsigned char> frame_bytes(const Frame &frame, const uint8_t *rgb, const scenes::SceneOptions &options,
+                                       const Subject &subject)
+{
+    const size_t size = 3 * static_cast<size_t>(options.width) * static_cast<size_t>(options.height);
+    if (frame.path == "-") return {rgb, rgb + size};
+    char time[32];
+    std::snprintf(time, sizeof time, "%.6g", frame.time_s);
+    return png(rgb, options.width, options.height,
+               {{"Software", "claque " + version()},
+                {"Description", options.scene + ", " + std::to_string(subject.count) + " individuals, seed " +
+                                    std::to_string(options.crowd_options.seed) + ", time " + time + " s"},
+                {"Source", subject.context}});
+}
+
+Json frame_report(const Frame &frame)
+{
+    Json report;
+    if (frame.number >= 0) report["frame"] = frame.number;
+    report["time_s"] = frame.time_s;
+    if (frame.path != "-") report["file"] = frame.path;
+    return report;
+}
+
+}  // namespace cli
