@@ -1,12 +1,12 @@
 #include "passes/canvas.h"
 
+#include "passes/colour_product.h"
+
 namespace claque::passes
 {
 namespace
 {
 
-// One rounding for all strategies and both formats; otherwise their pictures would differ by a bit.
-constexpr uint8_t product(uint8_t a, uint8_t b) { return static_cast<uint8_t>((2 * a * b + 255) / 510); }
 // Converts as Mesa does for 8-bit colour arrays. Mesa's glColor4ub divides instead and differs by one ulp, which after
 // lighting and rounding sometimes changes a pixel. So a current colour is given as floats whatever the format of the
 // arrays.
@@ -203,8 +203,9 @@ void Canvas::bind_vertices(const Individual &individual)
     gl_.TexCoordPointer(2, gl::real, 0, individual.level->uvs.data());
     ++stats_.individuals;
     stats_.parts += count_of(individual.parts);
-    stats_.vertices += individual.prepared->strategy == Strategy::fused ? individual.level->vertex_count
-                                                                        : individual.level->source_count;
+    const bool copies = individual.prepared->strategy == Strategy::fused && !individual.close;
+    stats_.vertices += copies ? individual.level->vertex_count : individual.level->source_count;
+    stats_.close_individuals += individual.close != nullptr;
 }
 
 SurfaceState Canvas::state_of(const Individual &individual, const model::Surface &surface)
@@ -246,22 +247,41 @@ void Canvas::use_slot_colours(const Individual &individual, uint32_t surface_ind
     }
 }
 
+void Canvas::use_own_colours(const Individual &individual)
+{
+    constexpr uint8_t white[3] = {255, 255, 255};
+    Individual plain = individual;
+    plain.zone_rgb = white;
+    plain.parts = every_part_of(*individual.level);
+    use_zone_colour(plain, 0, ZoneTest());
+}
+
 void Canvas::triangles(const Individual &individual, const IndexSlice &slice)
+{
+    send(individual, slice, {individual.ready->short_indices, individual.level->indices});
+}
+
+void Canvas::close_triangles(const Individual &individual, uint32_t surface_index)
+{
+    const CloseLevel &close = individual.ready->close;
+    const uint32_t *firsts = close.firsts.data() + size_t(surface_index) * (part_count_of(*individual.level) + 1);
+    send(individual, {close.ranges[surface_index], firsts}, {close.short_indices, close.indices});
+}
+
+void Canvas::send(const Individual &individual, const IndexSlice &slice, const Indices &indices)
 {
     if (!individual.whole())
         for_runs(slice, individual.parts, part_count_of(*individual.level),
-                 [&](model::IndexRange run) { draw_elements(individual, run); });
-    else if (slice.range.count != 0) draw_elements(individual, slice.range);
+                 [&](model::IndexRange run) { draw_elements(indices, run); });
+    else if (slice.range.count != 0) draw_elements(indices, slice.range);
 }
 
-void Canvas::draw_elements(const Individual &individual, model::IndexRange range)
+void Canvas::draw_elements(const Indices &indices, model::IndexRange range)
 {
     const int32_t count = static_cast<int32_t>(range.count);
-    if (individual.ready->short_indices.empty())
-        gl_.DrawElements(gl::triangles, count, gl::unsigned_int, individual.level->indices.data() + range.first);
-    else
-        gl_.DrawElements(gl::triangles, count, gl::unsigned_short,
-                         individual.ready->short_indices.data() + range.first);
+    if (indices.shorts.empty())
+        gl_.DrawElements(gl::triangles, count, gl::unsigned_int, indices.ints.data() + range.first);
+    else gl_.DrawElements(gl::triangles, count, gl::unsigned_short, indices.shorts.data() + range.first);
     ++stats_.draws;
     stats_.triangles += range.count / 3;
 }

@@ -64,8 +64,9 @@ struct Individual {
     const PreparedLevel *ready = nullptr;
     const uint8_t *zone_rgb = nullptr;
     draw::Vertices vertices;
-    uint64_t parts = 0;             // parts of the level to draw now; only existing ones
-    const uint32_t *own = nullptr;  // the texture that the host bound in place of the template's, or null
+    uint64_t parts = 0;               // parts of the level to draw now; only existing ones
+    const uint32_t *own = nullptr;    // the texture that the host bound in place of the template's, or null
+    const uint32_t *close = nullptr;  // textures of its own, one for each surface of the item's level, or null
 
     bool whole() const { return parts == every_part_of(*level); }
 };
@@ -106,11 +107,20 @@ public:
     // Gives every vertex of a surface's fused triangles the colour and threshold of its slot.
     void use_slot_colours(const Individual &individual, uint32_t surface_index);
 
+    // Gives every source vertex the template's colour there, as under white zones; white if it has none.
+    void use_own_colours(const Individual &individual);
+
     // One call if all parts are drawn, else one for each run of neighbouring parts.
     void triangles(const Individual &individual, const IndexSlice &slice);
+    void close_triangles(const Individual &individual, uint32_t surface_index);
 
 private:
-    void draw_elements(const Individual &individual, model::IndexRange range);
+    struct Indices {
+        const Array<uint16_t> &shorts;  // empty: the others
+        const Array<uint32_t> &ints;
+    };
+    void send(const Individual &individual, const IndexSlice &slice, const Indices &indices);
+    void draw_elements(const Indices &indices, model::IndexRange range);
 
     const Gl11 &gl_;
     const RendererOptions &options_;

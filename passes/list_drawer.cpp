@@ -47,11 +47,12 @@ CLAQUE_PREFETCH prefetch_vertices(const draw::Item &item)
 }  // namespace
 
 ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const RendererOptions &options,
-                       const Array<PreparedTemplate> &templates, Scratch &scratch, const draw::DrawList &list,
-                       DrawStats &stats)
+                       const Array<PreparedTemplate> &templates, const CloseTextures &close, Scratch &scratch,
+                       const draw::DrawList &list, DrawStats &stats)
     : gl_(gl),
       preflight_(preflight),
       templates_(templates),
+      close_(close),
       guard_(options.guard),
       scratch_(scratch),
       list_(list),
@@ -75,7 +76,7 @@ base::Status ListDrawer::draw()
         if (i + ahead < list_.items.size()) prefetch_vertices(list_.items[i + ahead]);
         const draw::Item &item = list_.items[i];
         if (!shows(item)) continue;
-        if (!make(item, individual)) {
+        if (!make(i, individual)) {
             if (first.ok())
                 first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices at the update",
                                           item.actor_index);
@@ -88,8 +89,9 @@ base::Status ListDrawer::draw()
     return first;
 }
 
-bool ListDrawer::make(const draw::Item &item, Individual &individual) const
+bool ListDrawer::make(size_t item_index, Individual &individual) const
 {
+    const draw::Item &item = list_.items[item_index];
     if (!individual.prepared || individual.prepared->source != item.tmpl)
         individual.prepared = find(templates_, item.tmpl);
     individual.item = &item;
@@ -98,6 +100,7 @@ bool ListDrawer::make(const draw::Item &item, Individual &individual) const
     individual.zone_rgb = item.zone_rgb ? item.zone_rgb : individual.prepared->zone_rgb.data();
     individual.parts = item.parts & every_part_of(*individual.level);
     individual.own = nullptr;
+    individual.close = close_.of(item_index);
     individual.vertices = item.vertices;
     if (item.locals) {
         individual.vertices = draw::Vertices();

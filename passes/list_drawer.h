@@ -3,6 +3,7 @@
 
 #include "passes/batch.h"
 #include "passes/canvas.h"
+#include "passes/close_textures.h"
 #include "passes/preflight.h"
 
 namespace claque::passes
@@ -16,8 +17,8 @@ class ListDrawer
 {
 public:
     ListDrawer(const Gl11 &gl, const Preflight &preflight, const RendererOptions &options,
-               const Array<PreparedTemplate> &templates, Scratch &scratch, const draw::DrawList &list,
-               DrawStats &stats);
+               const Array<PreparedTemplate> &templates, const CloseTextures &close, Scratch &scratch,
+               const draw::DrawList &list, DrawStats &stats);
 
     // Everything has been checked. Returns the first failure: CLQ_OUT_OF_MEMORY (an item without vertices) or
     // CLQ_GL_STATE (hooks left something that cannot be undone).
@@ -26,7 +27,7 @@ public:
 private:
     enum class Next { go_on, stop };
 
-    bool make(const draw::Item &item, Individual &individual) const;
+    bool make(size_t item_index, Individual &individual) const;
     Next draw_between_hooks(Individual &individual, base::Status &first);
     void draw_individual(const Individual &individual);
     void flush_gl();
@@ -34,6 +35,7 @@ private:
     const Gl11 &gl_;
     const Preflight &preflight_;
     const Array<PreparedTemplate> &templates_;
+    const CloseTextures &close_;
     Guard guard_;
     Scratch &scratch_;
     const draw::DrawList &list_;

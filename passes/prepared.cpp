@@ -4,6 +4,7 @@
 
 #include "lib/model/keys.h"
 #include "passes/batch.h"
+#include "passes/close_prepare.h"
 #include "passes/flat.h"
 #include "passes/linear_clean.h"
 #include "passes/parts.h"
@@ -186,6 +187,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         prepare_shadow(ready, level);
     }
     prepare_placement(out);
+    if (options.close_bytes != 0) prepare_close(out, options);
     return base::Status::good();
 }
 

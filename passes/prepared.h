@@ -19,13 +19,27 @@ struct ZoneTest {
     float threshold_real = 1;
 };
 
+// One image of a texture as close textures show it (close_image.h).
+struct CloseImage {
+    static constexpr uint32_t hole = 0x80000000;
+
+    explicit CloseImage(std::pmr::memory_resource *memory) : sources(memory) {}
+    uint32_t width = 0, height = 0;
+    uint64_t bytes = 0;       // in GL, with all mip levels
+    Array<uint32_t> sources;  // per texel: the texel of the template's image that it takes; `hole` is added in holes
+};
+
 struct PreparedTexture {
-    explicit PreparedTexture(std::pmr::memory_resource *memory) : names(memory), linear_names(memory), tests(memory) {}
+    explicit PreparedTexture(std::pmr::memory_resource *memory)
+        : names(memory), linear_names(memory), tests(memory), close(memory)
+    {
+    }
     Array<uint32_t> names;         // GL names, one per texture set; one if all sets show the same
     Array<uint32_t> linear_names;  // GL names of copies filtered GL_LINEAR; empty unless requested
     float hole_reference = 0;      // GL_GEQUAL: the lowest key passes, a hole fails
     float fused_reference = 0;     // GL_GEQUAL: the single test of the fused strategy
     Array<ZoneTest> tests;         // as model::Texture::keys
+    Array<CloseImage> close;       // as `names`; empty if individuals get no textures of their own
 
     uint32_t name_of(uint32_t set, bool linear) const
     {
@@ -74,6 +88,20 @@ struct FlatLevel {
     }
 };
 
+// A level for close textures: every triangle once, by source vertices; empty if it never shows one.
+struct CloseLevel {
+    explicit CloseLevel(std::pmr::memory_resource *memory)
+        : short_indices(memory), indices(memory), ranges(memory), firsts(memory)
+    {
+    }
+    Array<uint16_t> short_indices;  // one of these two is empty
+    Array<uint32_t> indices;
+    Array<model::IndexRange> ranges;  // per surface
+    Array<uint32_t> firsts;           // per surface, as IndexSlice::firsts
+
+    bool empty() const { return ranges.empty(); }
+};
+
 struct PreparedLevel {
     explicit PreparedLevel(std::pmr::memory_resource *memory)
         : short_indices(memory),
@@ -86,7 +114,8 @@ struct PreparedLevel {
           filtered(memory),
           linear(memory),
           shadow_indices(memory),
-          shadow_firsts(memory)
+          shadow_firsts(memory),
+          close(memory)
     {
     }
     Array<uint16_t> short_indices;               // as model::Level::indices; empty: those are used
@@ -108,6 +137,8 @@ struct PreparedLevel {
 
     Array<uint32_t> shadow_indices;  // every triangle once, part by part, by source vertices: see ShadowDrawer
     Array<uint32_t> shadow_firsts;   // where each part begins, and the end
+
+    CloseLevel close;
 };
 
 struct PreparedTemplate {
@@ -118,7 +149,8 @@ struct PreparedTemplate {
     Array<uint8_t> zone_rgb;              // the template's default colours, rounded
     Array<PreparedTexture> textures;
     Array<PreparedLevel> levels;
-    LuminanceStep step;  // all 0 if no triangle is filtered
+    float close_distance_m = 0;  // individuals from here on show no close textures (close_distance.h)
+    LuminanceStep step;          // all 0 if no triangle is filtered
 };
 
 // Prepares everything that needs no GL. `alpha_bits` is GL's resolution of this template's texture alpha. Fails with

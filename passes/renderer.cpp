@@ -73,6 +73,12 @@ LuminanceStep Renderer::step_of(const model::Template &tmpl) const
     return prepared ? prepared->step : LuminanceStep();
 }
 
+float Renderer::close_distance_of(const model::Template &tmpl) const
+{
+    const PreparedTemplate *prepared = find(templates_, &tmpl);
+    return prepared ? prepared->close_distance_m : 0;
+}
+
 base::Status Renderer::prepare(const model::Template &tmpl)
 {
     if (!open_) return not_open();
@@ -162,12 +168,21 @@ base::Status Renderer::draw_checked(const draw::DrawList &list, DrawStats &stats
 {
     base::Status status = preflight_.check_draw(gl_, stack_entries_for(list));
     if (!status.ok() || !std::any_of(list.items.begin(), list.items.end(), shows)) return status;
-    return ListDrawer(gl_, preflight_, options_, templates_, scratch_, list, stats).draw();
+    uint32_t left_out = 0;
+    if (options_.close_bytes != 0) status = close_.make(gl_, preflight_, templates_, list, left_out, stats);
+    if (!status.ok()) return status;
+    status = ListDrawer(gl_, preflight_, options_, templates_, close_, scratch_, list, stats).draw();
+    if (!status.ok() || left_out == 0) return status;
+    return base::Status::bad(CLQ_OUT_OF_MEMORY,
+                             "GL has no memory for %u textures of single individuals, who are drawn with those of "
+                             "their templates",
+                             left_out);
 }
 
 void Renderer::destroy()
 {
     if (open_ && check_current(gl_).ok()) {
+        close_.destroy(gl_);
         for (PreparedTemplate &prepared : templates_) delete_textures(gl_, prepared);
         holes_.destroy(gl_);
     }
@@ -177,6 +192,7 @@ void Renderer::destroy()
 void Renderer::abandon()
 {
     templates_.clear();
+    close_.forget();
     holes_.abandon();
     gl_ = Gl11();
     open_ = false;

@@ -1,10 +1,11 @@
 // Draws draw lists with GL 1.1; one renderer per GL context (S1 3).
 //
-// Threads: every call but abandon() belongs to the thread of the current context. Nothing throws; draw() allocates
-// nothing and makes no GL object.
+// Threads: every call but abandon() belongs to the thread of the current context. Nothing throws. Without
+// RendererOptions::close_bytes draw() allocates nothing and makes no GL object.
 #pragma once
 
 #include "passes/canvas.h"
+#include "passes/close_textures.h"
 #include "passes/preflight.h"
 #include "passes/shadow.h"
 #include "passes/shadow_drawer.h"
@@ -17,7 +18,13 @@ class Renderer
 {
 public:
     Renderer(std::pmr::memory_resource *memory, const RendererOptions &options)
-        : options_(options), memory_(memory), templates_(memory), scratch_(memory), holes_(memory), visibility_(memory)
+        : options_(options),
+          memory_(memory),
+          templates_(memory),
+          close_(memory, options),
+          scratch_(memory),
+          holes_(memory),
+          visibility_(memory)
     {
     }
     Renderer(const Renderer &) = delete;
@@ -37,11 +44,15 @@ public:
 
     LuminanceStep step_of(const model::Template &tmpl) const;  // all 0 unless prepared with linear_clean
 
+    // From here on no level of a prepared template shows textures of single individuals; 0: none ever does.
+    float close_distance_of(const model::Template &tmpl) const;
+
     // Draws all items in their order; a list that shows nothing touches nothing. `out_stats` may be null.
     // Fails: CLQ_ARGUMENT (a template that is not prepared, by name), CLQ_GL_STATE, CLQ_GL_MISSING; nothing is drawn or
     // changed then. CLQ_OUT_OF_MEMORY: an individual was left out of the list's update; all others are drawn.
-    // CLQ_GL_STATE also: hooks left what GL 1.1 cannot undo, a program in use for example: their individual is not
-    // drawn, nor are later ones if the object is still there after the second hook.
+    // Also: GL, or claque, has no memory for textures of single individuals; claque's own is missed before anything is
+    // drawn. CLQ_GL_STATE also: hooks left what GL 1.1 cannot undo, a program in use for example: their individual is
+    // not drawn, nor are later ones if the object is still there after the second hook.
     base::Status draw(const draw::DrawList &list, DrawStats *out_stats);
 
     // Darkens the ground by the shadows of all items, including shadow casters that are not drawn. GL's state is
@@ -76,6 +87,7 @@ private:
     Preflight preflight_;
     bool open_ = false;
     Array<PreparedTemplate> templates_;
+    CloseTextures close_;
     Scratch scratch_;
     HoleTextures holes_;
     VisibilityArrays visibility_;

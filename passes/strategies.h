@@ -20,6 +20,9 @@ void draw_fused(Canvas &canvas, const Individual &individual);
 // Draws a surface's clean bins, each under its zone's colour. Shared by the first two.
 void draw_clean(Canvas &canvas, const Individual &individual, uint32_t surface_index);
 
+// Whatever the strategy: one draw per surface with the individual's own texture, which has the colours of its zones.
+void draw_close(Canvas &canvas, const Individual &individual);
+
 // Draws with the strategy for which the template was prepared.
 void draw_parts(Canvas &canvas, const Individual &individual);
 

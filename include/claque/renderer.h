@@ -82,6 +82,25 @@ typedef struct clq_renderer_def {
      * drawing ten thousand people takes 0.87 of the time on llvmpipe. Actors with hooks are drawn like larger levels.
      * 0: never. Default 64. */
     uint32_t flat_triangles;
+    /* Close textures: individuals near the eye get a texture of their own, in which claque multiplies the colours of
+     * their zones on the CPU. It is filtered GL_LINEAR with a full mip chain, and drawn with one call per surface,
+     * without dirty triangles, and without an alpha test but for holes. This is the budget in bytes of GL memory, four
+     * a texel with all mip levels; 0 (default): off.
+     * The nearest individuals of a view get one, up to the first for whom the budget has no room. Others are drawn by
+     * the strategy: those farther away than close_distance_m, in batches, or with hooks; and those with a texture
+     * larger than the budget, or whose triangles come within half a texel of an edge that clamps.
+     * A draw makes what its view lacks before it draws anything, so the picture follows from the view alone and not
+     * from earlier draws. Views that one renderer draws in turn share the budget; if together they want more, each draw
+     * makes some textures anew. Individuals that show the same share one.
+     * Light is limited to 1 before it meets the colours of zones, not after; specular light and emission take their
+     * colours. Keep it off where a picture is made of tiles, or compared with the strategies. */
+    uint64_t close_texture_bytes;
+    /* [m, >= 0] Individuals from this distance on show no close texture, for a picture of 768 lines over 60 degrees, as
+     * distances of levels. 0 (default): measured for each template, see clq_prepared_info.close_distance_m. */
+    float close_distance_m;
+    /* Live hosts: the most textures that one draw makes, the nearest first; individuals wait for the others and are
+     * drawn by the strategy meanwhile. The picture then depends on earlier draws. 0 (default): no limit. */
+    uint32_t close_textures_per_draw;
 } clq_renderer_def;
 
 static inline clq_renderer_def clq_renderer_def_init(void)
@@ -115,6 +134,11 @@ typedef struct clq_prepared_info {
     uint32_t triangle_count, linear_count; /* all triangles, and those that are filtered */
     uint32_t edge_count;                   /* edges between a filtered triangle and another one */
     float step_mean, step_max;             /* [0, 255] difference in luminance across these edges */
+    /* [m] The renderer's, if it is given. Else it is where an individual that comes nearer changes by 2/255 in the mean
+     * of its pixels when it gets a close texture, or by the least if that is more. This is measured when the template
+     * is prepared: in its own colours and full light, for the textures of the levels that serve there. Farther away
+     * GL_NEAREST skips ever more texels, and the two pictures differ ever more. 0: it shows no close textures. */
+    float close_distance_m;
 } clq_prepared_info;
 
 CLQ_DEFINE_ZERO_INIT(clq_prepared_info)
@@ -133,6 +157,10 @@ typedef struct clq_draw_stats {
     uint64_t vertices;  /* sent to GL */
     uint32_t parts;     /* parts that were drawn, without those out of view (S0 4.2, phase 3) */
     uint32_t matrices;  /* calls of glMultMatrixf, see clq_rigid_mode */
+    /* See clq_renderer_def.close_texture_bytes. */
+    uint32_t close_individuals;   /* drawn with textures of their own */
+    uint32_t close_textures_made; /* by this draw */
+    uint64_t close_texture_bytes; /* of GL memory held, [<= the budget] */
 } clq_draw_stats;
 
 CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
@@ -142,10 +170,11 @@ CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
  * update.
  *   out_stats   made by clq_draw_stats_init; may be NULL
  * Fails before drawing anything: STRUCT_SIZE, ARGUMENT (a template that is not prepared, by name; a view of another
- * context), GL_STATE (names what would spoil the picture), GL_MISSING, BUSY. Fails after drawing the rest:
- * OUT_OF_MEMORY (the update left individuals out, see clq_crowd_stats.left_out), GL_STATE (what hooks leave, see
- * above), CALLBACK (a hook threw an exception). Fails after drawing a part: GL_MISSING (the context was lost meanwhile,
- * see clq_renderer_abandon). GL: see above. */
+ * context), GL_STATE (names what would spoil the picture), GL_MISSING, BUSY, OUT_OF_MEMORY (for choosing close
+ * textures). Fails after drawing the rest: OUT_OF_MEMORY (the update left individuals out, see
+ * clq_crowd_stats.left_out; GL has no memory for close textures, and their individuals are drawn by the strategy),
+ * GL_STATE (what hooks leave, see above), CALLBACK (a hook threw an exception). Fails after drawing a part: GL_MISSING
+ * (the context was lost meanwhile, see clq_renderer_abandon). GL: see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Destroys a renderer while its GL context is current; NULL is ignored. Fails: BUSY (it is drawing, and a hook calls

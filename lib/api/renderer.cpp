@@ -2,6 +2,7 @@
 #include <claque/renderer.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "lib/api/boundary.h"
@@ -29,6 +30,11 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.flush_triangles = def.flush_triangles;
     options.flat_triangles = def.flat_triangles;
     options.linear_clean = def.linear_clean;
+    options.close_bytes = def.close_texture_bytes;
+    require(def.close_distance_m >= 0 && std::isfinite(def.close_distance_m),
+            "close_distance_m is negative or not a number");
+    options.close_distance_m = def.close_distance_m;
+    options.close_per_draw = def.close_textures_per_draw;
     return options;
 }
 
@@ -101,6 +107,7 @@ clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_tem
         info.triangle_count = step.triangles, info.linear_count = step.linear_triangles;
         info.edge_count = step.edges;
         info.step_mean = step.mean, info.step_max = step.max;
+        info.close_distance_m = renderer->renderer.close_distance_of(*tmpl);
         api::write_out(out, info);
     });
 }
@@ -120,6 +127,8 @@ clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_st
         told.individuals = stats.individuals, told.draws = stats.draws;
         told.triangles = stats.triangles, told.vertices = stats.vertices;
         told.parts = stats.parts, told.matrices = stats.matrices;
+        told.close_individuals = stats.close_individuals, told.close_textures_made = stats.close_made;
+        told.close_texture_bytes = stats.close_bytes;
         api::write_out(out_stats, told);
     });
 }

@@ -119,6 +119,8 @@ void ListView::run() const
     const CameraState &eye = given.eyes[view_index];
     for (int k = 0; k < 3; ++k) view.list.eye[k] = eye.eye[k];
     for (int k = 0; k < 9; ++k) view.list.world_to_eye[k] = eye.world_to_eye[k / 3][k % 3];
+    view.list.distance_scale = static_cast<float>(eye.distance_scale);
+    view.list.min_distance_m = static_cast<float>(eye.min_distance * double(given.settings.caches.metres_per_unit));
     given.for_slices(static_cast<uint32_t>(listed.size()),
                      [&](uint32_t i) { view.list.items[i] = item_of(listed[i]); });
     keep_colours(view);

@@ -34,6 +34,7 @@ Json film_about(const RenderArguments &a, const scenes::SceneOptions &options, c
     scene["count"] = s.count, scene["seed"] = s.seed, scene["camera"] = s.camera;
     scene["size_px"] = {options.width, options.height};
     scene["fps"] = a.fps, scene["samples"] = a.samples, scene["format"] = s.format, scene["filter"] = s.filter;
+    if (s.close_mib != 0) scene["close_textures"] = {s.close_mib, s.close_distance_m};
     scene["cull"] = {s.cull, s.cull_scale};
     scene["shape"] = {s.rigid_mode, s.vertex_format};
     scene["levels"] = {s.lod, s.lod_scale, s.flat_triangles};

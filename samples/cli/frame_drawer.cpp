@@ -58,6 +58,10 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
                        {"triangles_seen", seen.triangles},
                        {"triangles_sent", drawn.triangles},
                        {"vertices_sent", drawn.vertices}};
+    if (options_.close_texture_bytes != 0)
+        report["close_textures"] = {{"individuals", drawn.close_individuals},
+                                    {"made", drawn.close_textures_made},
+                                    {"bytes", drawn.close_texture_bytes}};
     if (options_.shadows.form != scenes::ShadowChoice::Form::painted)
         report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
     report["counters"] = counters(scene.crowd_stats());

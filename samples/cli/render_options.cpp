@@ -74,6 +74,14 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
                  "How textures are sampled; linear filters clean triangles where that mixes no zones")
         ->check(CLI::IsMember({"nearest", "linear"}))
         ->capture_default_str();
+    c.add_option("--close-textures", a->setup.close_mib,
+                 "Filtered textures of their own for people near the eye, within this memory in MiB (0: none)")
+        ->check(CLI::Range(0, 1 << 16))
+        ->capture_default_str();
+    c.add_option("--close-distance", a->setup.close_distance_m,
+                 "With --close-textures: people nearer than this many metres have one (0: as measured)")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
     c.add_option("--lod", a->setup.lod,
                  "On the plaza and in the odeon: people with levels of detail (on), without (off), or only the first "
                  "level (finest). FILE has levels unless this is off")

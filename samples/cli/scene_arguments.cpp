@@ -150,16 +150,16 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     else if (options.shot == scenes::Shot::path && a.described) options.path = a.described->path;
     else if (options.shot == scenes::Shot::path)
         options.path.emplace(*scenes::recorded_path(options.scene), options.scene + "/path.toml");
-    options.width = a.width;
-    options.height = a.height;
+    options.width = a.width, options.height = a.height;
     options.context = a.context == "osmesa" ? contexts::Kind::osmesa
                       : a.context == "egl"  ? contexts::Kind::egl
                                             : contexts::Kind::any;
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.strategy = strategy_named(a.strategy);
-    options.flush_triangles = a.flush_triangles;
-    options.flat_triangles = a.flat_triangles;
+    options.flush_triangles = a.flush_triangles, options.flat_triangles = a.flat_triangles;
     options.linear_clean = a.filter == "linear";
+    options.close_texture_bytes = uint64_t(a.close_mib) << 20;
+    options.close_distance_m = static_cast<float>(a.close_distance_m);
     return options;
 }
 

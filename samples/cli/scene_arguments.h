@@ -43,6 +43,8 @@ struct SceneArguments {
     uint32_t flush_triangles = 0, flat_triangles = 64;
     double lod_scale = 1;
     double hour = 0;  // 0: not given
+    uint32_t close_mib = 0;
+    double close_distance_m = 0;
 
     int width = 1024, height = 768;
 };

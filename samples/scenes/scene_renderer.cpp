@@ -84,6 +84,8 @@ void SceneRenderer::use_strategy(clq_draw_strategy strategy)
         if (options_.tells_parts) def.get_proc_address = quiet_proc_address, def.user = offscreen_.get();
         def.strategy = strategy;
         def.linear_clean = options_.linear_clean;
+        def.close_texture_bytes = options_.close_texture_bytes;
+        def.close_distance_m = options_.close_distance_m;
         def.flush_triangles = options_.flush_triangles;
         def.flat_triangles = options_.flat_triangles;
         clq_renderer *made = nullptr;

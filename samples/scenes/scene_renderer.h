@@ -36,11 +36,13 @@ struct SceneOptions {
     contexts::Kind context = contexts::Kind::any;
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_draw_strategy strategy = CLQ_STRATEGY_FUSED;
-    bool linear_clean = false;     // clq_renderer_def.linear_clean
-    uint32_t flush_triangles = 0;  // clq_renderer_def.flush_triangles; the environment is then flushed too
-    uint32_t flat_triangles = 64;  // clq_renderer_def.flat_triangles
-    bool tells_parts = false;      // needed by draw_crowd_up_to()
-    float cull_scale = 1;          // of the culling frustum, relative to the picture's (S0 Fig. 10)
+    bool linear_clean = false;         // clq_renderer_def.linear_clean
+    uint64_t close_texture_bytes = 0;  // clq_renderer_def.close_texture_bytes
+    float close_distance_m = 0;        // clq_renderer_def.close_distance_m
+    uint32_t flush_triangles = 0;      // clq_renderer_def.flush_triangles; the environment is then flushed too
+    uint32_t flat_triangles = 64;      // clq_renderer_def.flat_triangles
+    bool tells_parts = false;          // needed by draw_crowd_up_to()
+    float cull_scale = 1;              // of the culling frustum, relative to the picture's (S0 Fig. 10)
     Show show = Show::nothing;
     ShadowChoice shadows;
 };

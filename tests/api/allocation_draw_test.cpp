@@ -56,6 +56,24 @@ TEST_F(Allocation, ARendererFailsCleanlyAndDrawingAllocatesNothing)
             screen->read_rgb(now);
             ASSERT_EQ(now, drawn) << "another renderer draws another picture";
         });
+    // With textures of single individuals, which are chosen and painted in a draw.
+    def.close_texture_bytes = 1 << 20, def.close_distance_m = 1000;
+    clq_renderer *close = nullptr;
+    ASSERT_EQ(clq_renderer_create(context_, &def, &close), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_renderer_prepare(close, tmpl_), CLQ_OK) << clq_last_error();
+    clear(0x4100);
+    fail_each(
+        "clq_renderer_draw with close textures", fm::Reach::host_only, 1,
+        [&] { return clq_renderer_draw(close, view_, nullptr); },
+        [&] {
+            screen->read_rgb(now);
+            ASSERT_EQ(now, empty) << "a call that failed has drawn";
+        },
+        Memory::may_be_kept);
+    clq_draw_stats stats = clq_draw_stats_init();
+    ASSERT_EQ(clq_renderer_draw(close, view_, &stats), CLQ_OK) << clq_last_error();
+    EXPECT_GT(stats.close_individuals, 0u);
+    clq_renderer_destroy(close);
     draw_without_memory(renderer);
     // The mask of the viewport is made at the first shadows, and kept.
     const clq_shadow_def shadows = clq_shadow_def_init();

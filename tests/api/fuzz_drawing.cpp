@@ -14,6 +14,9 @@ void World::new_renderer()
     const uint32_t sizes[] = {0, 4, 128, 2730};
     def.batch_triangles = sizes[random_.below(4)], def.flat_triangles = sizes[random_.below(4)];
     def.linear_clean = random_.one_in(3);
+    const uint64_t budgets[] = {0, 0, 300, 1 << 20};
+    def.close_texture_bytes = budgets[random_.below(4)], def.close_textures_per_draw = random_.below(3);
+    def.close_distance_m = random_.one_in(2) ? 0 : 100;
     def.flush_triangles = random_.one_in(3) ? 10 : 0;
     ASSERT_EQ(clq_renderer_create(test_world_.context, &def, &renderer_), CLQ_OK) << clq_last_error();
     for (clq_template *tmpl : templates_) EXPECT_EQ(clq_renderer_prepare(renderer_, tmpl), CLQ_OK) << clq_last_error();
@@ -35,6 +38,8 @@ void World::draw()
     EXPECT_TRUE(done || refused) << "seed " << seed_ << ", step " << step_ << ": " << clq_last_error();
     if (!done) return;
     EXPECT_LE(stats.individuals, seen.visible) << "seed " << seed_ << ", step " << step_;
+    EXPECT_LE(stats.close_individuals, stats.individuals) << "seed " << seed_ << ", step " << step_;
+    EXPECT_LE(stats.close_texture_bytes, uint64_t(1) << 20) << "seed " << seed_ << ", step " << step_;
     drawn_ += stats.individuals;
 }
 

@@ -137,6 +137,8 @@ void add_renderers(std::vector<Call> &all)
     };
     all.push_back(draw("without caches", &World::bare_view));
     all.push_back(draw("with key-poses", &World::key_view));
+    all.push_back({"clq_renderer_draw", [](W w) { return clq_renderer_draw(w.close, w.bare_view, nullptr); }, keeps,
+                   note, "with close textures"});
     all.push_back({"clq_renderer_draw_shadows",
                    [](W w) {
                        const clq_shadow_def def = clq_shadow_def_init();

@@ -23,6 +23,7 @@ protected:
     {
         clq_renderer_def def = clq_renderer_def_init();
         def.get_proc_address = watched_gl::find;
+        def.close_texture_bytes = close_bytes_, def.close_distance_m = 1000;
         clq_renderer *made = nullptr;
         EXPECT_EQ(clq_renderer_create(world_.test.context, &def, &made), CLQ_OK) << clq_last_error();
         for (clq_template *tmpl : world_.test.templates)
@@ -74,7 +75,45 @@ protected:
     }
 
     World world_;
+    uint64_t close_bytes_ = 0;
 };
+
+TEST_F(LostContext, AtAnyCallOfADrawThatMakesCloseTexturesIsReported)
+{
+    close_bytes_ = 1 << 20;
+    lose_at_each_call(true, [&](clq_renderer *one) { return clq_renderer_draw(one, world_.objects.view, nullptr); });
+}
+
+// The individual is then drawn by the strategy.
+TEST_F(LostContext, ACloseTextureForWhichGlHasNoMemoryIsReportedAndTheNextDrawMakesIt)
+{
+    const uint64_t without = picture();
+    close_bytes_ = 1 << 20;
+    const uint64_t expected = picture();
+    ASSERT_NE(expected, without);
+    uint64_t calls = 1;
+    uint32_t refused = 0;
+    for (uint64_t n = 1; n <= calls; ++n) {
+        watched_gl::new_context();
+        clq_renderer *poor = renderer(true);
+        watched_gl::lose(Loss::image_memory, n);
+        clq_draw_stats stats = clq_draw_stats_init();
+        const clq_status status = clq_renderer_draw(poor, world_.objects.view, &stats);
+        calls = watched_gl::calls();
+        watched_gl::lose(Loss::none, 0);
+        if (status != CLQ_OK) {
+            ++refused;
+            EXPECT_EQ(status, CLQ_OUT_OF_MEMORY) << n << ": " << clq_last_error();
+            EXPECT_NE(std::string(clq_last_error()).find("GL has no memory for 1 "), std::string::npos);
+            EXPECT_EQ(clq_renderer_draw(poor, world_.objects.view, &stats), CLQ_OK) << clq_last_error();
+            EXPECT_EQ(stats.close_textures_made, 1u);
+        }
+        EXPECT_EQ(clq_renderer_destroy(poor), CLQ_OK);
+        EXPECT_EQ(watched_gl::texture_count(), 0u) << "textures stay behind";
+    }
+    EXPECT_GT(refused, 3u);
+    EXPECT_EQ(picture(), expected);
+}
 
 TEST_F(LostContext, AtAnyCallOfADrawIsReported)
 {

@@ -100,7 +100,7 @@ World::World() : test(failing()), maker_(getpid())
 
 World::~World()
 {
-    for (clq_renderer *renderer : {objects.renderer, fresh, without_shadows}) clq_renderer_destroy(renderer);
+    for (clq_renderer *renderer : {objects.renderer, fresh, without_shadows, close}) clq_renderer_destroy(renderer);
     clq_colour_map_destroy(objects.map);
     clq_template_destroy(person_template);
     for (clq_asset *asset : {person, twin, shapes, walk, painted}) clq_asset_destroy(asset);
@@ -179,7 +179,9 @@ void World::make_renderers()
     def.get_proc_address = watched_gl::find;
     for (clq_renderer **renderer : {&objects.renderer, &fresh, &without_shadows})
         EXPECT_EQ(clq_renderer_create(test.context, &def, renderer), CLQ_OK) << clq_last_error();
-    for (clq_renderer *renderer : {objects.renderer, without_shadows})
+    def.close_texture_bytes = 1 << 20, def.close_distance_m = 1000;
+    EXPECT_EQ(clq_renderer_create(test.context, &def, &close), CLQ_OK) << clq_last_error();
+    for (clq_renderer *renderer : {objects.renderer, without_shadows, close})
         for (clq_template *tmpl : test.templates)
             EXPECT_EQ(clq_renderer_prepare(renderer, tmpl), CLQ_OK) << clq_last_error();
     EXPECT_EQ(clq_asset_build(test.context, person, 0, &person_template), CLQ_OK) << clq_last_error();

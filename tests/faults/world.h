@@ -46,6 +46,7 @@ public:
     clq_crowd *bare = nullptr, *key_posed = nullptr, *young = nullptr;  // without caches; with key-poses; never updated
     clq_view *bare_view = nullptr, *key_view = nullptr, *young_view = nullptr;
     clq_renderer *fresh = nullptr, *without_shadows = nullptr;  // without templates; prepared
+    clq_renderer *close = nullptr;                              // prepared, with close textures
     clq_template *person_template = nullptr;
     std::vector<clq_actor> actors;
     clq_layer layer = {0};                            // of objects.actor

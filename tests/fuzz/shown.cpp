@@ -66,6 +66,7 @@ bool draw(clq_context *context, clq_template *tmpl, clq_view *view, uint32_t str
     def.get_proc_address = stub_gl::find;
     def.strategy = static_cast<clq_draw_strategy>(strategy);
     def.linear_clean = strategy == CLQ_STRATEGY_FUSED;
+    def.close_texture_bytes = strategy == CLQ_STRATEGY_BINNED ? 1 << 24 : 0;
     clq_renderer *renderer = nullptr;
     EXPECT_EQ(clq_renderer_create(context, &def, &renderer), CLQ_OK) << clq_last_error();
     const bool taken = done(clq_renderer_prepare(renderer, tmpl), {CLQ_LIMIT, CLQ_KEY_RESOLUTION});

@@ -173,12 +173,14 @@ class RendererDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("get_proc_address", GetProcAddress), ("user", c_void_p),
                 ("strategy", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
                 ("batch_triangles", c_uint32), ("linear_clean", c_bool), ("flush_triangles", c_uint32),
-                ("flat_triangles", c_uint32)]
+                ("flat_triangles", c_uint32), ("close_texture_bytes", c_uint64),
+                ("close_distance_m", c_float), ("close_textures_per_draw", c_uint32)]
 
 
 class DrawStats(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("individuals", c_uint32), ("draws", c_uint32), ("triangles", c_uint32),
-                ("vertices", c_uint64), ("parts", c_uint32), ("matrices", c_uint32)]
+                ("vertices", c_uint64), ("parts", c_uint32), ("matrices", c_uint32), ("close_individuals", c_uint32),
+                ("close_textures_made", c_uint32), ("close_texture_bytes", c_uint64)]
 
 
 class LevelsDef(Sized):

@@ -15,7 +15,8 @@ class Renderer(Owned):
     _destroy = "clq_renderer_destroy"
 
     def __init__(self, context, target, strategy="fused", linear_clean=False, flush_triangles=0,
-                 flat_triangles=64):
+                 flat_triangles=64, close_texture_bytes=0, close_distance_m=0,
+                 close_textures_per_draw=0):
         if strategy not in STRATEGIES:
             raise ValueError(f"{strategy!r} is none of {', '.join(STRATEGIES)}")
         definition = abi.RendererDef()
@@ -25,6 +26,9 @@ class Renderer(Owned):
         definition.linear_clean = bool(linear_clean)
         definition.flush_triangles = flush_triangles
         definition.flat_triangles = flat_triangles
+        definition.close_texture_bytes = close_texture_bytes
+        definition.close_distance_m = close_distance_m
+        definition.close_textures_per_draw = close_textures_per_draw
         super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
 
     def prepare(self, *templates):
