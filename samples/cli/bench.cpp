@@ -32,10 +32,12 @@ bool of_actors(const BenchArguments &a)
 
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_format"; }
+bool is_of_close_textures(const BenchArguments &a) { return a.subject == "close_textures"; }
 bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
-    return is_growth(a) || is_vertex_format(a) || is_of_key_poses(a) || is_of_readers(a) || is_of_tracks(a);
+    return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_key_poses(a) || is_of_readers(a) ||
+           is_of_tracks(a);
 }
 
 void bench(const BenchArguments &a)
@@ -43,20 +45,22 @@ void bench(const BenchArguments &a)
     for (const std::string &path : {a.save, a.operations})
         if (!path.empty()) expect_writable(path);
     const bool along_path = a.setup.camera == "path";
-    const Json report = is_growth(a)          ? bench_growth(a)
-                        : is_vertex_format(a) ? bench_vertex_format(a)
-                        : is_of_key_poses(a)  ? bench_key_poses(a)
-                        : is_of_readers(a)    ? bench_readers(a)
-                        : is_of_tracks(a)     ? bench_tracks(a)
-                        : is_of_shadows(a)    ? bench_shadows(a)
-                        : along_path          ? bench_along_path(a)
-                        : of_actors(a)        ? bench_actors(a)
-                                              : bench_by_count(a);
+    const Json report = is_growth(a)              ? bench_growth(a)
+                        : is_of_close_textures(a) ? bench_close_textures(a)
+                        : is_vertex_format(a)     ? bench_vertex_format(a)
+                        : is_of_key_poses(a)      ? bench_key_poses(a)
+                        : is_of_readers(a)        ? bench_readers(a)
+                        : is_of_tracks(a)         ? bench_tracks(a)
+                        : is_of_shadows(a)        ? bench_shadows(a)
+                        : along_path              ? bench_along_path(a)
+                        : of_actors(a)            ? bench_actors(a)
+                                                  : bench_by_count(a);
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
     else if (a.markdown) std::cout << (is_of_key_poses(a) ? markdown_of_key_poses(report) : markdown_of(report));
     else if (is_growth(a)) print_growth(report);
+    else if (is_of_close_textures(a)) print_close_textures(report);
     else if (is_vertex_format(a)) print_vertex_format(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
     else if (is_of_readers(a)) print_readers(report);
@@ -111,6 +115,7 @@ void choose_counts(BenchArguments &a)
     if (a.setup.described) a.counts = {0};  // its own number
     if (a.subject == "ten_thousand") a.counts = {100, 1000, 10000, 20000};
     if (is_growth(a)) a.counts = {1000, 3000, 10000, 30000, 100000};
+    if (is_of_close_textures(a)) a.counts = {1000};
     if (is_of_tracks(a)) a.counts = {1000, 10000};
     if (is_of_readers(a)) a.counts = {100000};
     if (is_of_key_poses(a)) a.counts = {a.subject == "keypose-script" ? 2500u : 10000u};
@@ -132,7 +137,8 @@ void add_bench(CLI::App &app, Work &chosen)
         "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
         "--flush 16384); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
         "100 000 actors; vertex_format: packed "
-        "vertices against floats; readers: how the time of reading grows with the counts in a file; tracks: people "
+        "vertices against floats; close_textures: a texture for each of 1000 people against one for all; readers: how "
+        "the time of reading grows with the counts in a file; tracks: people "
         "who walk on tracks against "
         "people in place; or shared "
         "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error");

@@ -61,6 +61,10 @@ void print_shadows(const Json &report);
 Json bench_vertex_format(const BenchArguments &arguments);
 void print_vertex_format(const Json &report);
 
+// Textures of single individuals against shared ones.
+Json bench_close_textures(const BenchArguments &arguments);
+void print_close_textures(const Json &report);
+
 // Reading and splitting files at a tenth of and at the limit of each element that they count: a table in "runs".
 bool is_of_readers(const BenchArguments &arguments);
 Json bench_readers(const BenchArguments &arguments);
