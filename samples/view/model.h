@@ -18,9 +18,10 @@
 namespace view
 {
 
-// Changing the strategy changes the next frame; changing anything else makes the world anew.
+// Changing the strategy or the textures changes the next frame; changing anything else makes the world anew.
 struct Switches {
     int strategy = 0;  // of clq_draw_strategy
+    int textures = 0;  // all people with those of their templates; those near the eye with their own
     int cache = 0;     // of clq_cache_mode; 3: key-poses for all
     int cull = 0;      // of clq_cull_mode
     int format = 0;    // of clq_vertex_format

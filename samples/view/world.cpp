@@ -135,17 +135,21 @@ void World::show(Loaded loaded, const Switches &switches)
             scene_->crowd(), [](void *now) { return (*static_cast<Now *>(now))(); }, &now_));
     workbench_ = std::make_unique<Workbench>(*library_, scene_->crowd(), templates_);
     made_ = switches;
-    use_strategy(switches.strategy);
+    use_renderer(switches);
 }
 
-void World::use_strategy(int strategy)
+void World::use_renderer(const Switches &switches)
 {
-    scenes::Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(strategy));
+    constexpr uint64_t own_texture_bytes = uint64_t(256) << 20;
+    constexpr uint32_t made_a_frame = 4;  // 512 x 512 texels take some milliseconds each
+    scenes::Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(switches.strategy + 3 * switches.textures));
     if (!renderer) {
         clq_renderer_def def = clq_renderer_def_init();
         def.get_proc_address = surface_.get_proc_address();
         def.user = surface_.user();
-        def.strategy = static_cast<clq_draw_strategy>(strategy);
+        def.strategy = static_cast<clq_draw_strategy>(switches.strategy);
+        if (switches.textures == 1)
+            def.close_texture_bytes = own_texture_bytes, def.close_textures_per_draw = made_a_frame;
         clq_renderer *made = nullptr;
         scenes::check(clq_renderer_create(library_->context(), &def, &made));
         renderer.reset(made);
@@ -153,7 +157,7 @@ void World::use_strategy(int strategy)
     }
     renderer_ = renderer.get();
     level_row_.reset();  // its template is prepared for the renderers that there are
-    made_.strategy = strategy;
+    made_.strategy = switches.strategy, made_.textures = switches.textures;
 }
 
 void World::follow(Model &model)
@@ -168,7 +172,8 @@ void World::follow(Model &model)
         model.ground.roles.clear();
         model.designer.paint_failure = painted_.failure;
     }
-    if (model.switches.strategy != made_.strategy) use_strategy(model.switches.strategy);
+    if (model.switches.strategy != made_.strategy || model.switches.textures != made_.textures)
+        use_renderer(model.switches);
     clq_actor_info info = clq_actor_info_init();
     if (model.picked.actor.index1 != 0 && !find(model.picked.actor, info)) {
         model.picked = {};

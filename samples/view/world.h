@@ -27,7 +27,7 @@ struct Opened {
     std::function<void(scenes::Library &, const scenes::Scene &)> dress;  // the people, before they are shown
     // The character of a template of this name, whose textures can then be painted; empty: none can.
     std::function<scenes::Own<clq_asset>(scenes::Library &, const std::string &tmpl)> asset_of = {};
-    std::string character_file;                                           // of options.character; empty: it is built in
+    std::string character_file;  // of options.character; empty: it is built in
 };
 using Open = std::function<Opened(scenes::Library &)>;
 using Now = double (*)();  // seconds; null: costs are not measured
@@ -113,7 +113,7 @@ private:
     void show(Loaded loaded, const Switches &switches);
     void propose(Model &model);
     void unmake();
-    void use_strategy(int strategy);
+    void use_renderer(const Switches &switches);
     void follow(Model &model);
     void place_camera(Model &model, double aspect);
     void tint(Model &model);
@@ -136,8 +136,8 @@ private:
     std::vector<clq_template *> templates_;
     std::optional<scenes::CameraPath> path_;
     scenes::Own<clq_view> view_;
-    clq_scene *index_ = nullptr;  // of the crowd
-    std::array<scenes::Own<clq_renderer>, 3> renderers_;
+    clq_scene *index_ = nullptr;                          // of the crowd
+    std::array<scenes::Own<clq_renderer>, 6> renderers_;  // by strategy, then with textures of their own
     clq_renderer *renderer_ = nullptr;
     clq_camera camera_ = {};
     scenes::Eye eye_ = {};
