@@ -31,6 +31,10 @@ void check_picture_usage(RenderArguments &a)
     if (a.portable) use_portable_drivers();
     if (a.divide == "frames" && a.frames.empty())
         throw CLI::ValidationError("--divide", "a single picture is divided into tiles");
+    // Each process would choose the nearest people of its own tile.
+    if (process_count(a) > 1 && a.setup.close_mib > 0 &&
+        (a.divide == "tiles" || (a.divide.empty() && a.frames.empty())))
+        throw CLI::ValidationError("--close-textures", "is for whole pictures; --divide frames goes with it");
     if (process_count(a) > 1 && a.colours.reload)
         throw CLI::ValidationError("--reload", "needs one process: several would not see a change at the same time");
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())

@@ -145,7 +145,8 @@ TEST_F(Processes, ThatFailSayWhyAndLeaveNothing)
     EXPECT_EQ(missing.code, 1);
     EXPECT_NE(missing.err.find("none.glb"), std::string::npos) << missing.err;
     EXPECT_TRUE(left().empty());
-    for (const Words &wrong : {Words{"--colours", path("c.toml"), "--reload"}, Words{"--divide", "frames"}}) {
+    for (const Words &wrong : {Words{"--colours", path("c.toml"), "--reload"}, Words{"--divide", "frames"},
+                               Words{"--close-textures", "16"}}) {
         Words words = {"render", "--scene", "plaza", "--processes", "2", "--out", path("a.png")};
         words.insert(words.end(), wrong.begin(), wrong.end());
         EXPECT_EQ(claque(words).code, 2);
