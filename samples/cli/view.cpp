@@ -157,6 +157,7 @@ void add_view(CLI::App &app, Work &chosen)
     c->callback([a, &chosen] {
         check_view_usage(*a);
         chosen = [a] {
+            if (a->folder != ".") expect_writable(a->folder + "/view-1.png");
             const auto progress = std::make_shared<Progress>("claque");
             view::run(request_of(*a, progress));
         };

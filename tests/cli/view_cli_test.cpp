@@ -67,6 +67,15 @@ TEST_F(ViewCommand, StaysWithWhatItShowedWhereAFileCannotBeShown)
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+TEST_F(ViewCommand, RefusesAFolderThatIsNotThereBeforeItOpens)
+{
+    write("steps.toml", "steps = ['wait 1']\n");
+    const Outcome outcome = claque(
+        {"view", "--scene", "parade", "--script", path("steps.toml"), "--shots", path("absent"), "--size", "640x480"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find(path("absent")), std::string::npos) << outcome.err;
+}
+
 // An encoder that keeps the pixels as they are.
 class Films : public ViewCommand
 {
