@@ -17,6 +17,20 @@ constexpr double target = 2;                                             // of 2
 constexpr float nearest_m = 0.5f, farthest_m = 64, step = 1.189207115f;  // four steps double a distance
 constexpr double lines_per_tangent = 384 * 1.7320508075688772;
 
+// log2 to 20 bits, alike on all processors, which glibc does not promise.
+double binary_logarithm(double x)
+{
+    int exponent = 0;
+    double mantissa = 2 * std::frexp(x, &exponent), bits = 0;
+    for (double bit = 0.5; bit > 1e-6; bit /= 2) {
+        mantissa *= mantissa;
+        if (mantissa < 2) continue;
+        mantissa /= 2;
+        bits += bit;
+    }
+    return exponent - 1 + bits;
+}
+
 // The mip chain of a texture in the template's own colours.
 class Chain
 {
@@ -40,7 +54,7 @@ public:
     // The mean of the three channels' differences at a point; `texels` of level 0 fall on a pixel.
     double difference(glm::dvec2 uv, double texels) const
     {
-        const double lambda = std::clamp(std::log2(std::max(texels, 1e-6)), 0.0, double(levels_.size() - 1));
+        const double lambda = std::clamp(binary_logarithm(std::max(texels, 1e-6)), 0.0, double(levels_.size() - 1));
         const size_t low = static_cast<size_t>(lambda), high = std::min(low + 1, levels_.size() - 1);
         const glm::dvec3 a = linear(levels_[low], uv), b = linear(levels_[high], uv);
         const Image &first = levels_[0];
