@@ -23,6 +23,7 @@ struct LabelArguments {
     SceneArguments setup;
     std::string frames = "0", out, write = "coco", keypoints = "coco", json;
     std::vector<int> list;
+    int chunk = 0, chunk_count = 1;
     double fps = 25;
     bool again = false;
 };
@@ -105,9 +106,10 @@ void label(const LabelArguments &a)
     std::unique_ptr<scenes::SceneRenderer> scene;
     std::optional<labels::Labeller> labeller;
     labels::Json report = labels::Json::array();
-    for (size_t i = 0; i < a.list.size(); ++i) {
-        progress.step(i, a.list.size());
-        labels::Json kept = a.again ? labels::Json() : folder.kept(a.list[i]);
+    const std::vector<int> share = chunk_of(a.list, a.chunk, a.chunk_count);
+    for (size_t i = 0; i < share.size(); ++i) {
+        progress.step(i, share.size());
+        labels::Json kept = a.again ? labels::Json() : folder.kept(share[i]);
         if (!kept.empty()) {
             frames.push_back(std::move(kept));
             continue;
@@ -117,7 +119,7 @@ void label(const LabelArguments &a)
             labeller.emplace(library, *scene, wanted_by(a, formats));
         }
         const Stopwatch labelling;
-        const labels::Sample sample = labeller->label(a.list[i], a.list[i] / a.fps);
+        const labels::Sample sample = labeller->label(share[i], share[i] / a.fps);
         const double label_ms = labelling.ms();
         for (const labels::FrameFile &file : labels::frame_files(sample, formats)) folder.write(file);
         frames.push_back(folder.conclude(labels::frame_json(sample)));
@@ -127,7 +129,9 @@ void label(const LabelArguments &a)
                           {"label_ms", label_ms},
                           {"files_ms", labelling.ms() - label_ms}});
     }
-    for (const labels::FrameFile &file : labels::collections(frames, formats, keypoints)) folder.write(file);
+    // Files about all pictures need all of them.
+    if (a.chunk_count == 1)
+        for (const labels::FrameFile &file : labels::collections(frames, formats, keypoints)) folder.write(file);
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(std::to_string(frames.size()) + " labelled pictures in " + a.out);
 }
@@ -158,6 +162,14 @@ void add_labels(CLI::App &app, Work &chosen)
     c->add_option("--keypoints", a->keypoints, "Joints in the order of COCO (17) or SMPL (24)")
         ->check(CLI::IsMember({"coco", "smpl"}))
         ->capture_default_str();
+    c->add_option_function<std::string>(
+         "--chunk",
+         [a](const std::string &text) {
+             const std::string wrong = read_share(text, a->chunk, a->chunk_count);
+             if (!wrong.empty()) throw CLI::ValidationError("--chunk", wrong);
+         },
+         "Only share K of N of the pictures: one job of an array. A run without it makes the files about all of them")
+        ->type_name("K/N");
     c->add_flag("--again", a->again, "Label finished pictures again");
     c->add_option("--out,-o", a->out, "Folder; pictures that it has already are kept")->required();
     c->add_option("--json", a->json, "Write times as JSON; - is standard output");

@@ -11,19 +11,6 @@
 namespace cli
 {
 
-namespace
-{
-
-void read_chunk(const std::string &text, RenderArguments &a)
-{
-    int read = 0;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &a.chunk, &a.chunk_count, &read) != 2 || size_t(read) != text.size() ||
-        a.chunk_count < 1 || a.chunk < 0 || a.chunk >= a.chunk_count)
-        throw CLI::ValidationError("--chunk", "'" + text + "' is not a share like 3/40, from 0/40 to 39/40");
-}
-
-}  // namespace
-
 void check_picture_usage(RenderArguments &a)
 {
     if (!a.manifest.empty() && a.out == "-")
@@ -115,7 +102,11 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
         ->type_name("LIST|all")
         ->excludes(time);
     c.add_option_function<std::string>(
-         "--chunk", [a](const std::string &text) { read_chunk(text, *a); },
+         "--chunk",
+         [a](const std::string &text) {
+             const std::string wrong = read_share(text, a->chunk, a->chunk_count);
+             if (!wrong.empty()) throw CLI::ValidationError("--chunk", wrong);
+         },
          "Only share K of N of the frames, from 0/N to N-1/N: one job of an array")
         ->type_name("K/N");
     c.add_option("--manifest", a->manifest,

@@ -1,6 +1,7 @@
 #include "samples/cli/sequence.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <set>
 
 namespace cli
@@ -85,6 +86,15 @@ std::string read_frames(const std::string &text, std::vector<int> &frames)
         begin = end + 1;
     }
     return {};
+}
+
+std::string read_share(const std::string &text, int &index, int &count)
+{
+    int read = 0;
+    if (std::sscanf(text.c_str(), "%d/%d%n", &index, &count, &read) == 2 && static_cast<size_t>(read) == text.size() &&
+        count >= 1 && index >= 0 && index < count)
+        return "";
+    return "'" + text + "' is not a share like 3/40, from 0/40 to 39/40";
 }
 
 std::vector<int> chunk_of(const std::vector<int> &frames, int index, int count)

@@ -19,6 +19,8 @@ std::vector<int> frames_of(const FrameRange &range);
 // order; none may be named twice. Returns "" or an error message.
 std::string read_frames(const std::string &text, std::vector<int> &frames);
 
+// Parses "3/40", share 3 of 40, of which the first is 0. Returns "" or an error message.
+std::string read_share(const std::string &text, int &index, int &count);
 // The frames of share `index` of `count` shares that are as large as each other, but for one frame.
 std::vector<int> chunk_of(const std::vector<int> &frames, int index, int count);
 

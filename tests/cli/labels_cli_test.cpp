@@ -52,6 +52,12 @@ TEST_F(LabelsCommand, WritesTheSameFolderAtOnceAndInParts)
     std::ofstream(path("parts") + "/images/000003.png") << "cut";
     ASSERT_EQ(label("parts", {"--frames", "0:3", "--write", all_formats}).code, 0);
     EXPECT_TRUE(contents("parts") == whole);
+    // Three jobs, and a run that puts their pictures together.
+    for (const char *share : {"0/3", "1/3", "2/3"})
+        ASSERT_EQ(label("jobs", {"--frames", "0:3", "--write", all_formats, "--chunk", share}).code, 0);
+    EXPECT_EQ(contents("jobs").count("coco.json"), 0u);
+    ASSERT_EQ(label("jobs", {"--frames", "0:3", "--write", all_formats}).code, 0);
+    EXPECT_TRUE(contents("jobs") == whole);
     // One thread or four.
     ASSERT_EQ(label("threads", {"--frames", "0:3", "--write", all_formats, "--threads", "4"}).code, 0);
     EXPECT_TRUE(contents("threads") == whole);
