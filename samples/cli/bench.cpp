@@ -34,6 +34,7 @@ bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_format"; }
 bool is_of_close_textures(const BenchArguments &a) { return a.subject == "close_textures"; }
 bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
+bool is_of_processes(const BenchArguments &a) { return !a.processes.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
     return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_key_poses(a) || is_of_readers(a) ||
@@ -52,6 +53,7 @@ void bench(const BenchArguments &a)
                         : is_of_readers(a)        ? bench_readers(a)
                         : is_of_tracks(a)         ? bench_tracks(a)
                         : is_of_shadows(a)        ? bench_shadows(a)
+                        : is_of_processes(a)      ? bench_processes(a)
                         : along_path              ? bench_along_path(a)
                         : of_actors(a)            ? bench_actors(a)
                                                   : bench_by_count(a);
@@ -66,6 +68,7 @@ void bench(const BenchArguments &a)
     else if (is_of_readers(a)) print_readers(report);
     else if (is_of_tracks(a)) print_tracks(report);
     else if (is_of_shadows(a)) print_shadows(report);
+    else if (is_of_processes(a)) print_processes(report);
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
@@ -102,7 +105,8 @@ void prefer_speed(const CLI::App &command, BenchArguments &a)
 {
     if (command.count("--cache") == 0) a.caches = {"full"};
     if (command.count("--strategy") == 0) a.strategies = {"fused"};
-    if (command.count("--context") != 0) return;
+    // Processes are forked by one that has no GL.
+    if (command.count("--context") != 0 || is_of_processes(a)) return;
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::egl, 16, 16, contexts::PixelFormat::rgba8888, why_not)) return;
     a.setup.context = "egl";
@@ -171,6 +175,12 @@ void add_bench(CLI::App &app, Work &chosen)
                   "blob, mesh, and with a stencil bit blob-stencil, mesh-stencil")
         ->delimiter(',')
         ->check(CLI::IsMember(shadow_names()));
+    c->add_option(
+         "--processes", a->processes,
+         "Measure one picture in tiles by these numbers of processes, separated by commas (docs/films.md); with "
+         "1 first also a model of more")
+        ->delimiter(',')
+        ->check(CLI::Range(1, 64));
     c->add_option("--frames", a->frames, "Measured frames of a run, or of each section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();
@@ -218,6 +228,8 @@ void add_bench(CLI::App &app, Work &chosen)
                                            "takes at most one number along a path, where there is one crowd");
             a->setup.count = a->counts[0];
         }
+        if (is_of_processes(*a) && (has_no_scene(*a) || is_of_shadows(*a) || !a->operations.empty() || a->markdown))
+            throw CLI::ValidationError("--processes", "needs a scene, and compares numbers of processes alone");
         chosen = [a] { bench(*a); };
     });
 }

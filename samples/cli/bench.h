@@ -14,6 +14,7 @@ struct BenchArguments {
     std::vector<std::string> lods = {"off"};
     std::vector<std::string> culls = {"actor", "traditional"};
     std::vector<std::string> shadows;  // empty: shadows as the scene paints them; caches and strategies are compared
+    std::vector<int> processes;        // empty: caches and strategies are compared
     std::string save;
     std::string operations;  // file for `claque cost --measured`
     int frames = 25;
@@ -56,6 +57,10 @@ void print_tracks(const Json &report);
 // Kinds of shadows on the ground.
 Json bench_shadows(const BenchArguments &arguments);
 void print_shadows(const Json &report);
+
+// One picture by several processes: a line chart with its table in "runs", and a model of more of them.
+Json bench_processes(const BenchArguments &arguments);
+void print_processes(const Json &report);
 
 // Floating-point against packed vertices.
 Json bench_vertex_format(const BenchArguments &arguments);

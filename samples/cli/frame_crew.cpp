@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "samples/cli/provenance.h"
+#include "samples/cli/stopwatch.h"
 #include "samples/processes/crew.h"
 #include "samples/processes/machine_share.h"
 #include "samples/processes/shared_pages.h"
@@ -114,13 +115,16 @@ struct FrameCrew::State {
           division(division_of(a)),
           stride(division == Division::frames ? frame_capacity(a) : picture_bytes(a)),
           pages(stride * (division == Division::frames ? count : 2)),
+          crew_size(count),
           threads(a.setup.threads > 0 ? a.setup.threads : std::max(1, core_count() / static_cast<int>(count))),
+          borders(a.setup.width, static_cast<int>(count)),
           crew(count, [this](uint32_t worker) { return start(worker); })
     {
     }
 
     processes::Crew::Answering start(uint32_t worker)
     {
+        processes::share_mesa_threads(static_cast<int>(crew_size), core_count());
         uint8_t *own = pages.data() + (division == Division::frames ? stride * worker : 0);
         const auto made = std::make_shared<FrameWorker>(arguments, threads, own, stride);
         return [made](const std::string &task) { return made->answer(Json::parse(task)).dump(); };
@@ -128,15 +132,17 @@ struct FrameCrew::State {
 
     void draw_frames(const std::vector<Frame> &frames, const Done &done);
     void draw_tiles(const std::vector<Frame> &frames, const Done &done);
-    Json finish_tiles(const std::vector<Frame> &frames, size_t index, processes::TileBorders &borders);
+    Json finish_tiles(const std::vector<Frame> &frames, size_t index);
 
     const RenderArguments &arguments;
     Division division;
     size_t stride;  // bytes of a worker's share of the pages, or of a picture
     processes::SharedPages pages;
+    uint32_t crew_size;
     int threads;
     std::optional<Subject> subject;
     std::vector<std::string> warnings;
+    processes::TileBorders borders;
     processes::Crew crew;
 };
 
@@ -209,10 +215,11 @@ void FrameCrew::State::draw_frames(const std::vector<Frame> &frames, const Done 
 // The pictures take turns in two places, so that one is written while the next is drawn.
 void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &done)
 {
-    processes::TileBorders borders(arguments.setup.width, static_cast<int>(crew.size()));
     LoadedCharacter none;
     const scenes::SceneOptions options = scene_options(arguments.setup, none);
+    Stopwatch drawing;
     const auto give = [&](size_t index) {
+        drawing = Stopwatch();
         for (uint32_t i = 0; i < borders.tiles().size(); ++i) {
             Json task = task_of("tile", frames[index]);
             task["x0"] = borders.tiles()[i].x0, task["x1"] = borders.tiles()[i].x1;
@@ -222,7 +229,8 @@ void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &
     };
     give(0);
     for (size_t index = 0; index < frames.size(); ++index) {
-        Json report = finish_tiles(frames, index, borders);
+        Json report = finish_tiles(frames, index);
+        report["wall_ms"] = drawing.ms();
         if (index + 1 < frames.size()) give(index + 1);
         const uint8_t *rgb = pages.data() + index % 2 * stride;
         report["picture_hash"] = hex(scenes::hash_of({rgb, rgb + stride}));
@@ -231,7 +239,7 @@ void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &
     }
 }
 
-Json FrameCrew::State::finish_tiles(const std::vector<Frame> &frames, size_t index, processes::TileBorders &borders)
+Json FrameCrew::State::finish_tiles(const std::vector<Frame> &frames, size_t index)
 {
     Json report = frame_report(frames[index]);
     std::vector<Json> tiles(borders.tiles().size());

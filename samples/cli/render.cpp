@@ -10,7 +10,6 @@
 #include "samples/cli/measured_rates.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
-#include "samples/processes/machine_share.h"
 
 namespace cli
 {
@@ -51,12 +50,8 @@ class Rendering
 public:
     explicit Rendering(const RenderArguments &a) : a_(a)
     {
-        if (process_count(a) > 1) {
-            processes::share_mesa_threads(process_count(a), core_count());
-            crew_.emplace(a);
-        } else {
-            drawer_.emplace(a, thread_count(a.setup));
-        }
+        if (process_count(a) > 1) crew_.emplace(a);
+        else drawer_.emplace(a, thread_count(a.setup));
         LoadedCharacter none;
         options_ = scene_options(a.setup, none);
         report_ = about(a, options_);

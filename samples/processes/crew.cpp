@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstring>
 #include <exception>
+#include <filesystem>
 #include <poll.h>
 #include <stdexcept>
 #include <sys/prctl.h>
@@ -26,6 +27,17 @@ std::string how_it_ended(int status)
     return "with " + std::to_string(WIFEXITED(status) ? WEXITSTATUS(status) : status);
 }
 
+// A fork copies the calling thread alone: what others hold would stay locked for ever.
+void expect_no_threads()
+{
+    size_t threads = 0;
+    std::error_code none;
+    for (const auto &one : std::filesystem::directory_iterator("/proc/self/task", none)) threads += !one.path().empty();
+    if (threads > 1)
+        throw std::runtime_error("processes are to be started before threads: there are " + std::to_string(threads) +
+                                 " threads");
+}
+
 }  // namespace
 
 Crew::Crew(uint32_t count, Start start) : start_(std::move(start)), workers_(count)
@@ -44,6 +56,7 @@ Crew::~Crew()
 
 void Crew::begin(uint32_t worker)
 {
+    expect_no_threads();
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         throw std::runtime_error(std::string("no socket for another process: ") + std::strerror(errno));

@@ -29,20 +29,36 @@ Channel::Channel(Library &library, const People &people, const Forum &forum, con
     check(clq_view_create(people.crowd(), &view));
     view_.reset(view);
     check(clq_view_set_height(view, static_cast<float>(pane.height)));
+    cull_by_pane();
     offscreen_->release();
 }
 
-// Set once: later draws inherit the viewport and the scissor box.
+// GL gets only the actors of these columns, chosen as for the whole surface.
+void Channel::cull_by_pane()
+{
+    const float whole = static_cast<float>(pane_.surface_width);
+    const float tile[4] = {static_cast<float>(pane_.left) / whole, 0,
+                           static_cast<float>(pane_.left + pane_.width) / whole, 1};
+    if (pane_.left + pane_.width <= pane_.surface_width) check(clq_view_set_tile(view_.get(), tile));
+}
+
+void Channel::show_columns(int left, int width)
+{
+    if (!offscreen_->make_current()) throw Failure("the OpenGL context of a channel could not be made current");
+    pane_.left = left, pane_.width = width;
+    keep_to_pane();
+    cull_by_pane();
+    offscreen_->release();
+}
+
+// Later draws inherit the viewport and the scissor box.
 void Channel::keep_to_pane()
 {
-    constexpr unsigned scissor_test = 0xC11;
     gl_.Viewport(0, 0, pane_.surface_width, pane_.height);
+    gl_.Disable(gl::scissor_test);
     if (pane_.width == pane_.surface_width) return;
-    using Box = void (*)(int, int, int, int);
-    const Box scissor = reinterpret_cast<Box>(offscreen_->get_proc_address()(offscreen_->user(), "glScissor"));
-    if (!scissor) throw Failure("this OpenGL context lacks glScissor");
-    scissor(pane_.left, 0, pane_.width, pane_.height);
-    gl_.Enable(scissor_test);
+    gl_.Scissor(pane_.left, 0, pane_.width, pane_.height);
+    gl_.Enable(gl::scissor_test);
 }
 
 Channel::~Channel()

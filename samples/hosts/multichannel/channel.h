@@ -26,6 +26,8 @@ public:
     Channel(const Channel &) = delete;
     Channel &operator=(const Channel &) = delete;
 
+    // Draws other columns of the surface from now on. Call it as set_camera(); no context is current afterwards.
+    void show_columns(int left, int width);
     // Call this before clq_crowd_update, on the crowd's thread. The camera is that of the whole surface.
     void set_camera(const clq_camera &camera);
     clq_view *view() const { return view_.get(); }
@@ -41,10 +43,11 @@ public:
 
 private:
     void keep_to_pane();
+    void cull_by_pane();
 
     const People &people_;
     const Forum &forum_;
-    const Pane pane_;
+    Pane pane_;
     std::unique_ptr<contexts::Offscreen> offscreen_;
     scenes::Gl gl_;
     std::optional<Forum::Pictures> pictures_;
