@@ -99,6 +99,7 @@ fuzz:
 	@JOBS=$(JOBS) tests/fuzz/run.py $(SECONDS) $(FUZZERS)
 
 bench: build
+	@cmake --build --preset $(PRESET) -j $(JOBS) --target claque_benchmarks
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_impostor_bench
 	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
@@ -179,6 +180,7 @@ coverage:
 check: setup
 	@clang-format --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')
 	@$(MAKE) --no-print-directory build PRESET=dev
+	@cmake --build --preset dev -j $(JOBS) --target claque_benchmarks
 	ctest --preset dev -R '^(Layers|Style|Docs)'
 
 format:

@@ -1,12 +1,13 @@
 #!/bin/sh
-# ci.sh BUILD JOBS: runs every test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan,
-# runs each fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants (tests/mutants), and ends with one
-# summary of the tests: N passed, N failed, N skipped.
+# ci.sh BUILD JOBS: builds the benchmarks, runs every test of BUILD, then those labelled `bytes` in a build with
+# AddressSanitizer and UBSan, runs each fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants
+# (tests/mutants), and ends with one summary of the tests: N passed, N failed, N skipped.
 set -eu
 build=$1
 jobs=$2
 mkdir -p out
 failed=0
+cmake --build "$build" -j "$jobs" --target claque_benchmarks  # which must go on compiling
 ctest --test-dir "$build" -j "$jobs" --output-on-failure --output-log out/ci-tests.log || failed=1
 cmake --preset asan > build/asan.log 2>&1 || { cat build/asan.log; exit 1; }
 cmake --build --preset asan -j "$jobs" --target claque_bytes_tests

@@ -5,13 +5,13 @@
 #include <filesystem>
 #include <fstream>
 #include <mutex>
-#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
 
 #include "tests/api/busy_calls.h"
 #include "tests/api/stub_gl.h"
+#include "tests/support/patterns.h"
 
 namespace
 {
@@ -43,13 +43,11 @@ using BusyCalls = busy::Busy;
 TEST(BusyTable, HoldsEveryCallForACrowdAViewASceneOrARenderer)
 {
     std::set<std::string> declared, listed;
-    const std::regex call(R"((clq_\w+)\((?:const )?(?:struct )?clq_(?:crowd|view|scene|renderer) \*)");
+    const std::string call = R"((clq_\w+)\((?:const )?(?:struct )?clq_(?:crowd|view|scene|renderer) \*)";
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
         std::stringstream text;
         text << std::ifstream(header.path()).rdbuf();
-        const std::string all = text.str();
-        for (auto found = std::sregex_iterator(all.begin(), all.end(), call); found != std::sregex_iterator(); ++found)
-            declared.insert((*found)[1]);
+        for (const patterns::Match &found : patterns::matches(call, text.str())) declared.insert(found[1]);
     }
     for (const Call &one : busy::calls()) listed.insert(one.name);
     EXPECT_EQ(declared, listed);

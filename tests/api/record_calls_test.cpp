@@ -5,9 +5,10 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <set>
 #include <sstream>
+
+#include "tests/support/patterns.h"
 
 namespace
 {
@@ -49,18 +50,16 @@ const std::map<std::string, std::string> not_recorded = {
 std::set<std::string> declared()
 {
     std::set<std::string> out;
-    const std::regex call(R"(CLQ_API\s[^;(]*?\b(clq_\w+)\(([^;]*)\);)");
+    const std::string call = R"(CLQ_API\s[^;(]*?\b(clq_\w+)\(([^;]*)\);)";
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
         std::stringstream text;
         text << std::ifstream(header.path()).rdbuf();
-        const std::string all = text.str();
-        for (auto found = std::sregex_iterator(all.begin(), all.end(), call); found != std::sregex_iterator();
-             ++found) {
-            std::stringstream arguments((*found)[2]);
+        for (const patterns::Match &found : patterns::matches(call, text.str())) {
+            std::stringstream arguments(found[2]);
             for (std::string one; std::getline(arguments, one, ',');)
                 if (one.find("clq_crowd *") != std::string::npos || one.find("clq_view *") != std::string::npos)
                     if (one.find("const") == std::string::npos && one.find("**") == std::string::npos)
-                        out.insert((*found)[1]);
+                        out.insert(found[1]);
         }
     }
     return out;

@@ -1,10 +1,10 @@
 // The manual page of the command names everything that the command itself says it can do, and is set without a warning.
-#include <regex>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "tests/embed/scratch.h"
+#include "tests/support/patterns.h"
 
 namespace
 {
@@ -12,8 +12,7 @@ namespace
 std::set<std::string> all_of(const std::string &text, const std::string &pattern)
 {
     std::set<std::string> found;
-    const std::regex regex(pattern);
-    for (std::sregex_iterator i(text.begin(), text.end(), regex), end; i != end; ++i) found.insert((*i)[1]);
+    for (const patterns::Match &match : patterns::matches(pattern, text)) found.insert(match[1]);
     return found;
 }
 
@@ -25,7 +24,12 @@ std::string help_of(const std::string &subcommand)
 }
 
 // As a reader sees it.
-std::string manual() { return std::regex_replace(text_of_file(CLAQUE_MAN), std::regex("\\\\-"), "-"); }
+std::string manual()
+{
+    std::string text = text_of_file(CLAQUE_MAN);
+    for (size_t at = 0; (at = text.find("\\-", at)) != std::string::npos; ++at) text.erase(at, 1);
+    return text;
+}
 
 std::set<std::string> subcommands()
 {

@@ -1,7 +1,8 @@
 #include "tests/embed/readme.h"
 
-#include <regex>
 #include <sstream>
+
+#include "tests/support/patterns.h"
 
 std::vector<Block> blocks_of(const std::string &page, const std::string &section)
 {
@@ -9,9 +10,8 @@ std::vector<Block> blocks_of(const std::string &page, const std::string &section
     std::istringstream lines(page);
     std::string line, part, file;
     bool inside = false, in_block = false;
-    const std::regex named("`([A-Za-z.]+)`[^`]*:$");
+    const std::string named = "`([A-Za-z.]+)`[^`]*:$";
     while (std::getline(lines, line)) {
-        std::smatch match;
         if (in_block) {
             in_block = line != "```";
             if (in_block) blocks.back().text += line + "\n";
@@ -23,7 +23,7 @@ std::vector<Block> blocks_of(const std::string &page, const std::string &section
             blocks.push_back({part, line.substr(3), file, ""});
             in_block = true;
             file.clear();
-        } else if (std::regex_search(line, match, named)) {
+        } else if (const patterns::Match match = patterns::first_match(named, line); !match.empty()) {
             file = match[1];
         }
     }

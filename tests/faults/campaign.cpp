@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "tests/api/failing_memory.h"
 #include "tests/faults/child.h"
 #include "tests/faults/watched_gl.h"
+#include "tests/support/patterns.h"
 
 namespace fm = failing_memory;
 
@@ -256,7 +256,7 @@ std::string text_of(const Outcome &o)
 Outcome try_call(World &world, const Call &call, const Effort &effort)
 {
     world.sees_assets = call.name.rfind("clq_asset_", 0) == 0;
-    world.builds_assets = std::regex_match(call.name, std::regex("clq_asset_(add|set|make)_.*"));
+    world.builds_assets = patterns::describes("clq_asset_(add|set|make)_.*", call.name);
     const std::vector<uint32_t> steps = (call.traits & grows) && !(call.traits & ends)
                                             ? steps_that_allocate(world, call, effort.states)
                                             : std::vector<uint32_t>{0};

@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <regex>
 #include <sstream>
 
 #include "tests/faults/campaign.h"
+#include "tests/support/patterns.h"
 
 namespace faults
 {
@@ -29,14 +29,12 @@ bool allocates_elsewhere(const std::filesystem::path &header) { return header.fi
 std::set<std::string> declared()
 {
     std::set<std::string> names;
-    const std::regex call(R"(CLQ_API [^;(]*?(clq_\w+)\()");
+    const std::string call = R"(CLQ_API [^;(]*?(clq_\w+)\()";
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
         if (allocates_elsewhere(header.path())) continue;
         std::stringstream text;
         text << std::ifstream(header.path()).rdbuf();
-        const std::string all = text.str();
-        for (auto found = std::sregex_iterator(all.begin(), all.end(), call); found != std::sregex_iterator(); ++found)
-            names.insert((*found)[1]);
+        for (const patterns::Match &found : patterns::matches(call, text.str())) names.insert(found[1]);
     }
     return names;
 }
@@ -83,9 +81,9 @@ TEST_P(EachCall, SurvivesEachAllocationThatFails)
                 static_cast<unsigned long long>(outcome.places));
 }
 
-INSTANTIATE_TEST_SUITE_P(Faults, EachCall, testing::Range(size_t(0), calls().size()), [](const auto &info) {
-    std::string name = calls()[info.param].name;
-    if (!calls()[info.param].variant.empty()) name += "_" + calls()[info.param].variant;
+INSTANTIATE_TEST_SUITE_P(Faults, EachCall, testing::Range(size_t(0), calls().size()), [](const auto &named) {
+    std::string name = calls()[named.param].name;
+    if (!calls()[named.param].variant.empty()) name += "_" + calls()[named.param].variant;
     for (char &c : name)
         if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
     return name;

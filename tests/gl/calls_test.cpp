@@ -1,10 +1,10 @@
 // The GL functions that claque loads and calls: those of GL 1.1 only, no redundant calls, none after a lost context.
 #include <fstream>
-#include <regex>
 #include <set>
 
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/spy.h"
+#include "tests/support/patterns.h"
 
 namespace gltest
 {
@@ -35,9 +35,9 @@ std::set<std::string> names_of_gl_1_1()
     std::ifstream file("/usr/include/GL/gl.h");
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     const std::string first = text.substr(0, text.find("OpenGL 1.2"));
-    const std::regex function("GLAPI.*GLAPIENTRY\\s+(gl\\w+)");
     std::set<std::string> names;
-    for (std::sregex_iterator at(first.begin(), first.end(), function), end; at != end; ++at) names.insert((*at)[1]);
+    for (const patterns::Match &found : patterns::matches("GLAPI.*GLAPIENTRY\\s+(gl\\w+)", first))
+        names.insert(found[1]);
     return names;
 }
 

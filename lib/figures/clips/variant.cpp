@@ -7,6 +7,7 @@
 
 #include "lib/base/hash.h"
 #include "lib/figures/clips/ease.h"
+#include "lib/figures/clips/grip.h"
 #include "lib/figures/clips/stance.h"
 #include "lib/figures/mesh.h"
 

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
+
+#include "tests/support/patterns.h"
 
 namespace gltest
 {
@@ -67,10 +68,9 @@ const std::set<uint32_t> &values_of_gl_1_1()
     static const std::set<uint32_t> made = [] {
         std::ifstream file("/usr/include/GL/gl.h");
         std::set<uint32_t> values;
-        const std::regex define("#define\\s+GL_\\w+\\s+(0x[0-9A-Fa-f]+|[0-9]+)\\s*.*");
-        std::smatch found;
+        const std::string define = "^#define\\s+GL_\\w+\\s+(0x[0-9A-Fa-f]+|[0-9]+)";
         for (std::string line; std::getline(file, line) && line.find("OpenGL 1.2") == std::string::npos;)
-            if (std::regex_match(line, found, define))
+            if (const patterns::Match found = patterns::first_match(define, line); !found.empty())
                 values.insert(static_cast<uint32_t>(std::stoul(found[1], nullptr, 0)));
         return values;
     }();

@@ -1,11 +1,11 @@
 // Written characters with one thing broken in each place where it stands: lengths, counts, references.
-#include <regex>
 #include <set>
 #include <unistd.h>
 
 #include "heap_meter.h"
 #include "lib/base/hash.h"
 #include "taken_apart.h"
+#include "tests/support/patterns.h"
 
 namespace claque::testing
 {
@@ -37,10 +37,9 @@ void expect_refused_at(const std::string &file, const std::vector<std::string> &
 std::vector<std::string> places_of(const std::string &file, const std::string &pattern)
 {
     std::vector<std::string> out;
-    const std::regex described(pattern);
     const Json flat = TakenApart(file).json.flatten();
     for (auto at = flat.begin(); at != flat.end(); ++at)
-        if (std::regex_match(at.key(), described)) out.push_back(at.key());
+        if (patterns::describes(pattern, at.key())) out.push_back(at.key());
     return out;
 }
 

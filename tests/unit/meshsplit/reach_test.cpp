@@ -2,7 +2,9 @@
 // than its template states.
 #include "meshsplit/reach.h"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
@@ -126,14 +128,15 @@ TEST(ReachSupport, ADegreeOfFreedomSweepsPointsAsFarAsTheyGoAndHardlyFarther)
         meshsplit::Support set, scratch;
         for (size_t i = 0; i < directions.count(); ++i) set.push_back(glm::dot(directions[i], p));
         meshsplit::DofSweep(directions, dof).sweep(glm::length(p), set, scratch);
+        std::vector<glm::dvec3> swept;
+        for (int k = 0; k <= 2000; ++k) {
+            const double x = -0.7 + 2.6 * k / 2000, c = std::cos(x), s = std::sin(x);
+            const glm::dvec3 a(axis), turned = p * c + glm::cross(a, p) * s + a * (glm::dot(a, p) * (1 - c));
+            swept.push_back(kind == DofKind::rotation ? turned : p + a * x);
+        }
         for (size_t i = 0; i < directions.count(); ++i) {
             double most = -1e9;
-            for (int k = 0; k <= 2000; ++k) {
-                const double x = -0.7 + 2.6 * k / 2000, c = std::cos(x), s = std::sin(x);
-                const glm::dvec3 a(axis), turned = p * c + glm::cross(a, p) * s + a * (glm::dot(a, p) * (1 - c));
-                const glm::dvec3 at = kind == DofKind::rotation ? turned : p + a * x;
-                most = std::max(most, glm::dot(directions[i], at));
-            }
+            for (const glm::dvec3 &at : swept) most = std::max(most, glm::dot(directions[i], at));
             ASSERT_GE(set[i], most - 1e-6);
             ASSERT_LE(set[i], most + 0.004);
         }
