@@ -58,11 +58,6 @@ set(CLAQUE_KERNEL_OPTIONS $<$<BOOL:${CLAQUE_FUZZERS}>:-fno-sanitize=undefined>)
 function(claque_room name)
     cmake_parse_arguments(ARG "" "" "SOURCES;ROOMS;LIBRARIES" ${ARGN})
     add_library(claque_${name} STATIC ${ARG_SOURCES})
-    # All of most rooms at once: templates and headers that files share are then compiled once.
-    if(CMAKE_UNITY_BUILD)
-        math(EXPR batch "2 * ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
-        set_target_properties(claque_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${batch})
-    endif()
     target_include_directories(claque_${name} PUBLIC ${PROJECT_SOURCE_DIR}/include)
     target_compile_definitions(claque_${name} PUBLIC CLAQUE_BUILDING=1)
     target_link_libraries(claque_${name} PUBLIC claque_flags ${ARG_LIBRARIES})
@@ -71,8 +66,19 @@ function(claque_room name)
     endforeach()
 endfunction()
 
-# A room that works at start-up only: what more than -O1 takes to compile, it never saves.
+# A room whose files are compiled in one batch: the templates and headers that they share are then compiled once.
+function(claque_at_once name)
+    math(EXPR batch "2 * ${CMAKE_UNITY_BUILD_BATCH_SIZE}")
+    set_target_properties(claque_${name} PROPERTIES UNITY_BUILD_BATCH_SIZE ${batch})
+endfunction()
+
+# A room that works at start-up only: what -O3 adds to -O2 takes longer to compile than it ever saves.
 function(claque_start_up name)
+    target_compile_options(claque_${name} PRIVATE $<$<CONFIG:Release>:-O2>)
+endfunction()
+
+# A room that works briefly, or checks and calls others: nor does it save what -O2 takes.
+function(claque_brief name)
     target_compile_options(claque_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
