@@ -20,12 +20,12 @@ namespace view
 
 // Changing the strategy or the textures changes the next frame; changing anything else makes the world anew.
 struct Switches {
-    int strategy = 0;  // of clq_draw_strategy
-    int textures = 0;  // all people with those of their templates; those near the eye with their own
-    int cache = 0;     // of clq_cache_mode; 3: key-poses for all
-    int cull = 0;      // of clq_cull_mode
-    int format = 0;    // of clq_vertex_format
-    int levels = 0;    // people without levels of detail; with them; with them at a third of the distance
+    int strategy = 0;        // of clq_draw_strategy
+    int close_textures = 0;  // 1: people near the eye have textures of their own
+    int cache = 0;           // of clq_cache_mode; 3: key-poses for all
+    int cull = 0;            // of clq_cull_mode
+    int format = 0;          // of clq_vertex_format
+    int levels = 0;          // people without levels of detail; with them; with them at a third of the distance
     int threads = 1;
 };
 

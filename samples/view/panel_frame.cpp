@@ -145,7 +145,7 @@ void switch_rows(Ui &ui, Model &model)
         std::vector<std::string> items;
     };
     const Row rows[] = {{"strategy", switches.strategy, {"fused", "binned", "per zone"}},
-                        {"textures", switches.textures, {"shared", "own when near"}},
+                        {"close textures", switches.close_textures, {"off", "on"}},
                         {"caches", switches.cache, {"full", "palettes", "none", "key-poses"}},
                         {"culling", switches.cull, {"three phases", "last"}},
                         {"format", switches.format, {"float", "packed"}},

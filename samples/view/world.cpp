@@ -142,13 +142,14 @@ void World::use_renderer(const Switches &switches)
 {
     constexpr uint64_t own_texture_bytes = uint64_t(256) << 20;
     constexpr uint32_t made_a_frame = 4;  // 512 x 512 texels take some milliseconds each
-    scenes::Own<clq_renderer> &renderer = renderers_.at(static_cast<size_t>(switches.strategy + 3 * switches.textures));
+    scenes::Own<clq_renderer> &renderer =
+        renderers_.at(static_cast<size_t>(switches.strategy + 3 * switches.close_textures));
     if (!renderer) {
         clq_renderer_def def = clq_renderer_def_init();
         def.get_proc_address = surface_.get_proc_address();
         def.user = surface_.user();
         def.strategy = static_cast<clq_draw_strategy>(switches.strategy);
-        if (switches.textures == 1)
+        if (switches.close_textures == 1)
             def.close_texture_bytes = own_texture_bytes, def.close_textures_per_draw = made_a_frame;
         clq_renderer *made = nullptr;
         scenes::check(clq_renderer_create(library_->context(), &def, &made));
@@ -157,7 +158,7 @@ void World::use_renderer(const Switches &switches)
     }
     renderer_ = renderer.get();
     level_row_.reset();  // its template is prepared for the renderers that there are
-    made_.strategy = switches.strategy, made_.textures = switches.textures;
+    made_.strategy = switches.strategy, made_.close_textures = switches.close_textures;
 }
 
 void World::follow(Model &model)
@@ -172,7 +173,7 @@ void World::follow(Model &model)
         model.ground.roles.clear();
         model.designer.paint_failure = painted_.failure;
     }
-    if (model.switches.strategy != made_.strategy || model.switches.textures != made_.textures)
+    if (model.switches.strategy != made_.strategy || model.switches.close_textures != made_.close_textures)
         use_renderer(model.switches);
     clq_actor_info info = clq_actor_info_init();
     if (model.picked.actor.index1 != 0 && !find(model.picked.actor, info)) {

@@ -89,6 +89,19 @@ TEST_F(FrameCosts, SayWhatASwitchChanged)
     EXPECT_TRUE(model.switched.empty()) << "more than ten seconds ago";
 }
 
+TEST_F(FrameCosts, KnowWhoHasTexturesOfTheirOwnWithoutAWorldMadeAnew)
+{
+    view::Session &s = open({"plaza", 8, 480, 480});
+    play({"click \"Camera\"", "click \"Person\"", "click \"Frame\"", "wait 1"});
+    const double before_s = s.model().real_s;
+    play({"click \"close textures: on\"", "wait 0.4", "see \"close textures: on, \""});
+    EXPECT_EQ(s.model().switches.close_textures, 1);
+    EXPECT_GT(s.model().cost.drawn.individuals, 0u);
+    EXPECT_GT(s.model().history.size(), 20u) << "frames before the switch are kept, from " << before_s;
+    play({"click \"close textures: off\"", "wait 0.4"});
+    EXPECT_EQ(s.model().cost.drawn.close_individuals, 0u);
+}
+
 TEST_F(FrameCosts, CountPosedPeopleByDistanceInEachFrame)
 {
     view::Session &s = open({"plaza", 8, 480, 480});

@@ -108,6 +108,8 @@ const std::vector<std::string> &names_of_widgets()
                                                    "strategy: fused",
                                                    "strategy: binned",
                                                    "strategy: per zone",
+                                                   "close textures: off",
+                                                   "close textures: on",
                                                    "caches: full",
                                                    "caches: palettes",
                                                    "caches: none",
