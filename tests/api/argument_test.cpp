@@ -96,6 +96,20 @@ TEST_F(Arguments, ADefOfAnotherSizeIsNamed)
     EXPECT_EQ(clq_crowd_create(context_, &crowd_def, &crowd), CLQ_STRUCT_SIZE);
 }
 
+TEST_F(Arguments, ACloseDistanceThatIsNoDistanceIsRefused)
+{
+    clq_renderer_def def = clq_renderer_def_init();
+    def.get_proc_address = [](void *, const char *) -> clq_gl_function { return nullptr; };
+    clq_renderer *renderer = nullptr;
+    for (const float distance : {-1.0f, NAN, INFINITY}) {
+        def.close_distance_m = distance;
+        EXPECT_EQ(clq_renderer_create(context_, &def, &renderer), CLQ_ARGUMENT) << distance;
+        EXPECT_TRUE(mentions("close_distance_m"));
+    }
+    def.close_distance_m = 0;
+    EXPECT_EQ(clq_renderer_create(context_, &def, &renderer), CLQ_GL_MISSING);
+}
+
 TEST_F(Arguments, CrowdSettingsOutsideTheirLimitsAreRefused)
 {
     clq_crowd *crowd;
