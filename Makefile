@@ -119,6 +119,11 @@ bench: build
 	$(CLAQUE) bench town_sky --count 2000,6000 --threads 1
 	$(CLAQUE) bench hundred_actors --threads 1 --operations out/hundred-counts.json
 	$(CLAQUE) cost --measured out/hundred-counts.json --plot out/cost.svg > out/cost.txt
+	$(CLAQUE) bench million --save out/million.json
+	$(CLAQUE) plot out/million.json --out out/million.svg
+	$(CLAQUE) bench million-memory --save out/million-memory.json
+	$(CLAQUE) plot out/million-memory.json --out out/million-memory.svg
+	$(CLAQUE) bench amphitheatre --count 50000 --cache full --strategy fused --context egl --flush 16384
 	$(CLAQUE) bench growth --threads 1 --save out/growth.json
 	$(CLAQUE) plot out/growth.json --out out/growth.svg
 	$(BUILD)/tests/parity/parity_fig11 --save out/parity-fig11.json

@@ -2,6 +2,7 @@
 
 #include "animcache/keypose_vertices.h"
 #include "lib/base/held_bytes.h"
+#include "lib/base/slack.h"
 #include "lib/pose/pose.h"
 
 namespace claque::animcache
@@ -42,15 +43,17 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
 
 Caches::~Caches() = default;
 
-void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo)
+void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo,
+                     uint32_t request_count)
 {
+    const uint32_t requests = std::min(row_count, request_count);
     scratch_.reserve(sizes_of(templates, settings_));
-    key_poses_.reserve(row_count, templates);
-    if (can_undo) requests_before_.reserve(row_count), replaced_.reserve(row_count);
-    else requests_.reserve(row_count);
-    animate_.reserve(row_count);
-    skin_.reserve(row_count);
-    if (settings_.can_defer) waiting_.reserve(row_count);
+    key_poses_.reserve(requests, templates);
+    if (can_undo) base::reserve_with_slack(requests_before_, requests), base::reserve_with_slack(replaced_, requests);
+    else base::reserve_with_slack(requests_, requests);
+    base::reserve_with_slack(animate_, requests);
+    base::reserve_with_slack(skin_, requests);
+    if (settings_.can_defer) base::reserve_with_slack(waiting_, requests);
     if (entries_.size() < row_count) entries_.resize(row_count);
     built_.resize(slices);
 }

@@ -42,10 +42,12 @@ public:
     Caches(const Caches &) = delete;
     Caches &operator=(const Caches &) = delete;
 
-    // Makes room for the book-keeping of `row_count` rows and for the scratch of these templates. The only call that
-    // may fail (std::bad_alloc); cached results stay.
-    //   can_undo   whether updates may call undo()
-    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo = false);
+    // Makes room for the book-keeping of `row_count` rows, for the scratch of these templates, and for the requests of
+    // the next update. The only call that may fail (std::bad_alloc); cached results stay.
+    //   can_undo        whether updates may call undo()
+    //   request_count   at most; none: as many as rows
+    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo = false,
+                 uint32_t request_count = model::none);
 
     // An update calls these in this order. begin() returns an array to be filled with one request per candidate, within
     // its capacity.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/held_bytes.h"
+#include "lib/base/slack.h"
 
 namespace claque::animcache
 {
@@ -20,10 +21,10 @@ KeyPoses::KeyPoses(std::pmr::memory_resource *memory, const KeyPoseSettings &set
     shared_ = {memory, settings.budget_bytes, 0};
 }
 
-void KeyPoses::reserve(uint32_t row_count, base::Span<const model::Template *const> templates)
+void KeyPoses::reserve(uint32_t request_count, base::Span<const model::Template *const> templates)
 {
     if (!settings_.any()) return;
-    requested_.reserve(row_count);
+    base::reserve_with_slack(requested_, request_count);
     uint32_t same = 0;
     while (same < owners_.size() && same < templates.count && owners_[same].tmpl == templates[same]) ++same;
     if (same < owners_.size()) {  // another state of the crowd: its templates may have another order

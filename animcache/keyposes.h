@@ -27,7 +27,7 @@ public:
 
     // At start-up and when a template was added. The only call that may fail (std::bad_alloc); the stores are unchanged
     // then, or keep less.
-    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates);
+    void reserve(uint32_t request_count, base::Span<const model::Template *const> templates);
 
     KeyPoseMode mode_at(float distance) const { return settings_.mode_at(distance); }
     // What an individual of templates[tmpl] shows; requires reserve().

@@ -1,5 +1,6 @@
 // S0 4.2, phases 1 and 2, in double relative to the eye: the Refpoint Bsphere holds for every position of the Skeleton
 // Root, the Sklsroot Bsphere for the present one. Shadow casters are tested with the volume that their sphere sweeps.
+#include <algorithm>
 #include <cmath>
 
 #include "lib/frame/steps.h"
@@ -21,7 +22,7 @@ base::Status CullRefpoints::check() const
 {
     if (given.crowd.follows().count() > 0 && motions.count < tested.count)
         return base::Status::bad(CLQ_ARGUMENT, "not a motion for all that are tested");
-    if (passed.count < size_t(given.eyes.count) * tested.count || candidates.count < tested.count)
+    if (passed.count < std::max(size_t(given.eyes.count), size_t(1)) * tested.count)
         return base::Status::bad(CLQ_ARGUMENT, "no room for all that are tested");
     return base::Status::good();
 }
@@ -61,14 +62,32 @@ uint32_t CullRefpoints::run() const
     for (uint32_t i = 0; i < tested.count; ++i) {
         bool any = given.traditional() && views > 0 && is_present(i);
         for (uint32_t v = 0; v < views; ++v) any = any || passed[v * tested.count + i] != 0;
-        if (!any) continue;
+        passed[i] = any;
+        count += any;
+    }
+    return count;
+}
+
+base::Status ListCandidates::check() const
+{
+    if (passed.count < tested.count) return base::Status::bad(CLQ_ARGUMENT, "not all that are tested were culled");
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tested.count; ++i) count += passed[i] != 0;
+    if (candidates.count < count) return base::Status::bad(CLQ_ARGUMENT, "no room for all that passed");
+    return base::Status::good();
+}
+
+void ListCandidates::run() const
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tested.count; ++i) {
+        if (!passed[i]) continue;
         candidates[count].row = tested[i], candidates[count].tested = i;
         ++count;
     }
     stats.tested = tested.count;
-    stats.sphere_tests = uint64_t(views) * tested.count;
+    stats.sphere_tests = uint64_t(given.eyes.count) * tested.count;
     stats.passed_refpoint = count;
-    return count;
 }
 
 base::Status CullRoots::check() const

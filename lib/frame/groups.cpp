@@ -26,8 +26,7 @@ base::Status CullGroups::check() const
 {
     if (block_seen.count < size_t(given.eyes.count) * blocks.blocks().count)
         return base::Status::bad(CLQ_ARGUMENT, "no room for every block in every view");
-    if (groups.count < given.crowd.group_count() || tested.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no room for every group and row");
+    if (tested.count < given.crowd.row_count()) return base::Status::bad(CLQ_ARGUMENT, "no room for every row");
     return base::Status::good();
 }
 
@@ -38,21 +37,38 @@ uint32_t CullGroups::run() const
         uint8_t *visible = block_seen.data + size_t(v) * all.count;
         given.for_slices(all.count, [&](uint32_t b) { visible[b] = is_visible(given.eyes[v], all[b]); });
     }
-    stats.groups = stats.groups_visible = 0;
     uint32_t count = 0;
     for (uint32_t b = 0; b < all.count; ++b) {
         const Block &block = all[b];
         bool visible = false;
         for (uint32_t v = 0; v < given.eyes.count; ++v) visible = visible || block_seen[v * all.count + b];
-        if (block.group != model::none) {
-            ++stats.groups;
-            stats.groups_visible += visible;
-            if (visible) groups[block.group] = {given.update, given.crowd.group(block.group).generation};
-        }
         if (!visible) continue;
         for (uint32_t i = block.first; i < block.first + block.count; ++i) tested[count++] = blocks.row(i);
     }
     return count;
+}
+
+base::Status NoteGroups::check() const
+{
+    if (block_seen.count < size_t(given.eyes.count) * blocks.blocks().count)
+        return base::Status::bad(CLQ_ARGUMENT, "not every block in every view");
+    if (groups.count < given.crowd.group_count()) return base::Status::bad(CLQ_ARGUMENT, "no room for every group");
+    return base::Status::good();
+}
+
+void NoteGroups::run() const
+{
+    const base::Span<const Block> all = blocks.blocks();
+    stats.groups = stats.groups_visible = 0;
+    for (uint32_t b = 0; b < all.count; ++b) {
+        const uint32_t group = all[b].group;
+        if (group == model::none) continue;
+        bool visible = false;
+        for (uint32_t v = 0; v < given.eyes.count; ++v) visible = visible || block_seen[v * all.count + b];
+        ++stats.groups;
+        stats.groups_visible += visible;
+        if (visible) groups[group] = {given.update, given.crowd.group(group).generation};
+    }
 }
 
 }  // namespace claque::frame

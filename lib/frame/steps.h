@@ -20,16 +20,27 @@ struct CullGroups {
     const Given &given;
     const Blocks &blocks;
 
-    base::Span<uint8_t> block_seen;  // scratch [view][block]
-    base::Span<GroupRow> groups;     // [group_count]: of those visible
+    base::Span<uint8_t> block_seen;  // [view][block]
     base::Span<uint32_t> tested;     // [row_capacity]
-    Stats &stats;
 
     base::Status check() const;
     uint32_t run() const;  // returns how many of `tested` were written
 
 private:
     bool is_visible(const CameraState &eye, const Block &block) const;
+};
+
+// Keeps what CullGroups found.
+struct NoteGroups {
+    const Given &given;
+    const Blocks &blocks;
+    base::Span<const uint8_t> block_seen;  // [view][block]
+
+    base::Span<GroupRow> groups;  // [group_count]: of those visible
+    Stats &stats;
+
+    base::Status check() const;
+    void run() const;
 };
 
 // Evaluates the tracks of the tested rows.
@@ -49,15 +60,26 @@ struct CullRefpoints {
     base::Span<const uint32_t> tested;
     base::Span<const track::Motion> motions;  // [tested]
 
-    base::Span<uint8_t> passed;        // scratch [view][tested]: math::Containment
-    base::Span<Candidate> candidates;  // [tested]
-    Stats &stats;
+    base::Span<uint8_t> passed;  // [view][tested]: math::Containment; of the first view, then whether any view met it
 
     base::Status check() const;
-    uint32_t run() const;  // returns how many candidates were written
+    uint32_t run() const;  // returns how many passed
 
 private:
     glm::dvec3 position_of(uint32_t i) const;
+};
+
+// Lists what phase 1 let through.
+struct ListCandidates {
+    const Given &given;
+    base::Span<const uint32_t> tested;
+    base::Span<const uint8_t> passed;  // [tested], as CullRefpoints leaves them
+
+    base::Span<Candidate> candidates;  // as many as passed
+    Stats &stats;
+
+    base::Status check() const;
+    void run() const;
 };
 
 base::Status check_motions(const Given &given, base::Span<const Candidate> candidates,

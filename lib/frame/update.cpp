@@ -70,11 +70,13 @@ public:
     {
     }
 
+    uint32_t find();  // steps 1 and 2, which change nothing: how many individuals passed
     void choose();
     void show();
 
 private:
     void cull();
+    base::Span<const uint32_t> tested() const { return {work_.tested.data(), tested_count_}; }
     base::Span<Candidate> candidates() const { return {work_.candidates.data(), candidate_count_}; }
     base::Span<const Candidate> placed() const { return {work_.candidates.data(), candidate_count_}; }
     Visibilities visibilities() const { return {base::Span<ViewVisibility>(work_.visibilities), candidate_count_}; }
@@ -87,22 +89,28 @@ private:
     double elapsed_s_;
     HostTimer timer_;
     StepTimer steps_;
-    uint32_t candidate_count_ = 0;
+    uint32_t tested_count_ = 0, candidate_count_ = 0;
     double begun_s_ = 0;
 };
 
-// S0 4.3: groups first. Then steps 1 to 4: Reference Points, first cull phase, Skeleton Roots, second cull phase.
+// S0 4.3: groups first. Then Reference Points, and the first cull phase.
+uint32_t UpdateRun::find()
+{
+    tested_count_ = checked(CullGroups{given_, work_.blocks, base::Span<uint8_t>(work_.block_seen),
+                                       base::Span<uint32_t>(work_.tested)})
+                        .run();
+    checked(FollowTracks{given_, tested(), base::Span<track::Motion>(work_.motions)}).run();
+    candidate_count_ = checked(CullRefpoints{given_, tested(), motions(), base::Span<uint8_t>(work_.passed)}).run();
+    return candidate_count_;
+}
+
+// Keeps what find() found. Then steps 3 and 4: Skeleton Roots, second cull phase.
 void UpdateRun::cull()
 {
-    const uint32_t tested_count =
-        checked(CullGroups{given_, work_.blocks, base::Span<uint8_t>(work_.block_seen),
-                           base::Span<GroupRow>(work_.groups), base::Span<uint32_t>(work_.tested), work_.stats})
-            .run();
-    const base::Span<const uint32_t> tested(work_.tested.data(), tested_count);
-    checked(FollowTracks{given_, tested, base::Span<track::Motion>(work_.motions)}).run();
-    candidate_count_ = checked(CullRefpoints{given_, tested, motions(), base::Span<uint8_t>(work_.passed),
-                                             base::Span<Candidate>(work_.candidates), work_.stats})
-                           .run();
+    checked(NoteGroups{given_, work_.blocks, base::Span<const uint8_t>(work_.block_seen),
+                       base::Span<GroupRow>(work_.groups), work_.stats})
+        .run();
+    checked(ListCandidates{given_, tested(), base::Span<const uint8_t>(work_.passed), candidates(), work_.stats}).run();
     checked(PlaceRoots{given_, motions(), candidates(), work_.stats}).run();
     checked(CullRoots{given_, placed(), visibilities(), work_.stats}).run();
 }
@@ -171,6 +179,21 @@ void UpdateRun::show()
     checked(CountBands{caches, found(), elapsed_s_, {stats.bands, band_count}}).run();
 }
 
+// Runs what makes room for an update, and says so if there is none.
+template <class Reserve>
+base::Status reserving(const crowd::Crowd &crowd, const Reserve &reserve)
+{
+    try {
+        reserve();
+    } catch (const std::bad_alloc &) {
+        return base::Status::bad(CLQ_OUT_OF_MEMORY, "no memory for an update of %u actors", crowd.actor_count());
+    } catch (const std::length_error &) {
+        return base::Status::bad(CLQ_LIMIT, "an update of %u actors is more than can be addressed",
+                                 crowd.actor_count());
+    }
+    return base::Status::good();
+}
+
 }  // namespace
 
 base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *const> views, double time_s,
@@ -178,19 +201,15 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
 {
     if (base::Status status = check(views, time_s); !status.ok()) return status;
     Work &work = frame.work_;
-    try {
-        work.reserve(crowd, views);
-    } catch (const std::bad_alloc &) {
-        return base::Status::bad(CLQ_OUT_OF_MEMORY, "no memory for an update of %u actors", crowd.actor_count());
-    } catch (const std::length_error &) {
-        return base::Status::bad(CLQ_LIMIT, "an update of %u actors is more than can be addressed",
-                                 crowd.actor_count());
-    }
-    work.begin(crowd);
+    if (base::Status status = reserving(crowd, [&] { work.reserve(crowd, views); }); !status.ok()) return status;
     base::HostCalls host_calls;
-    const Given given{crowd, work.settings, base::Span<const CameraState>(work.eyes), time_s, work.update,
+    const Given given{crowd, work.settings, base::Span<const CameraState>(work.eyes), time_s, work.update + 1,
                       jobs,  host_calls};
     UpdateRun run(given, work, views);
+    const uint32_t found = run.find();
+    if (base::Status status = reserving(crowd, [&] { work.reserve_candidates(crowd, views, found); }); !status.ok())
+        return status;
+    work.begin(crowd);
     run.choose();
     if (!host_calls.ok()) {
         work.undo();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/held_bytes.h"
+#include "lib/base/slack.h"
 
 namespace claque::frame
 {
@@ -26,6 +27,13 @@ void grow(Array &array, size_t count)
     if (array.size() < count) array.resize(count);
 }
 
+// The same for counts that change from update to update.
+template <class Array>
+void grow_with_slack(Array &array, size_t count)
+{
+    if (array.size() < count) array.resize(count + count / 4);
+}
+
 // The callbacks move, so the list that is still shown is pointed at them again: they are in its order.
 void reserve_hooks(View &view, size_t count)
 {
@@ -40,11 +48,13 @@ void reserve_hooks(View &view, size_t count)
     }
 }
 
-void reserve_view(View &view, const crowd::Crowd &crowd)
+void reserve_view(View &view, const crowd::Crowd &crowd, uint32_t count)
 {
-    view.list.items.reserve(crowd.row_capacity());
+    base::reserve_with_slack(view.list.items, count);
     reserve_hooks(view, crowd.hooked_count());
-    const size_t colours = crowd.colour_bytes();
+    size_t most = 0;  // bytes of one individual's colours
+    for (const model::Template *tmpl : crowd.templates()) most = std::max(most, 3 * size_t(tmpl->zone_count()));
+    const size_t colours = std::min(size_t(crowd.colour_bytes()), count * most);
     if (std::max(view.colours.capacity(), view.grown.capacity()) < colours) view.grown.reserve(colours + colours / 2);
 }
 
@@ -80,15 +90,22 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     const uint32_t count = crowd.row_capacity();  // grows in steps, so these arrays do too
     eyes.clear();
     for (const View *view : views) eyes.emplace_back(*view);
-    for (View *view : views) reserve_view(*view, crowd);
-    grow(passed, size_t(views.count) * count);
-    grow(visibilities, size_t(views.count) * count);
+    grow(passed, std::max(size_t(views.count), size_t(1)) * count);
     grow(tested, count);
     if (crowd.follows().count() > 0) grow(motions, count);
-    if (may_throw(crowd)) grow(last.candidates, count);
-    else grow(candidates, count);
-    grow(visible, count);
-    grow(behaving, count);
+    blocks.follow(crowd);
+    grow(block_seen, size_t(views.count) * blocks.blocks().count);
+    grow(groups, crowd.group_count());
+}
+
+void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count)
+{
+    const uint32_t row_count = crowd.row_capacity();
+    for (View *view : views) reserve_view(*view, crowd, count);
+    grow_with_slack(visibilities, size_t(views.count) * count);
+    grow_with_slack(may_throw(crowd) ? last.candidates : candidates, count);
+    grow_with_slack(visible, count);
+    grow_with_slack(behaving, count);
     dofs_each = 0;
     for (const model::Template *tmpl : crowd.templates())
         dofs_each = std::max(dofs_each, static_cast<uint32_t>(tmpl->rig.dofs.size()));
@@ -100,14 +117,11 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
         last.layers.clear();
         last.layers.reserve(max_layers + max_layers / 2);
     }
-    blocks.follow(crowd);
-    grow(block_seen, size_t(views.count) * blocks.blocks().count);
-    listed.reserve(count);
-    ordered.reserve(count);
-    caches.reserve(count, crowd.templates(), may_throw(crowd));
-    grow(rows, count);
-    view_changes.reserve(count);
-    grow(groups, crowd.group_count());
+    base::reserve_with_slack(listed, count);
+    base::reserve_with_slack(ordered, count);
+    caches.reserve(row_count, crowd.templates(), may_throw(crowd), count);
+    grow(rows, row_count);
+    view_changes.reserve(row_count);
     if (may_throw(crowd)) {
         last.rows.reserve(rows.capacity());
         last.groups.reserve(groups.capacity());

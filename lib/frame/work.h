@@ -15,9 +15,11 @@ namespace claque::frame
 struct Work {
     Work(std::pmr::memory_resource *memory, const Settings &settings);
 
-    // Reserves all memory that an update of these views needs, except for palettes and vertices. Throws std::bad_alloc;
-    // draw lists and results are unchanged then.
+    // Reserves the memory that the first cull phase needs. What it writes is of no use to the last update's results.
     void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
+    // Then all other memory that an update of these views needs, except for palettes and vertices: as much as for the
+    // individuals that passed that phase. Both throw std::bad_alloc; draw lists and results are unchanged then.
+    void reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count);
     // Begins an update. Until its poses are evaluated, undo() puts back what the last one left.
     void begin(const crowd::Crowd &crowd);
     void undo();

@@ -38,7 +38,7 @@ bool is_of_processes(const BenchArguments &a) { return !a.processes.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
     return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_key_poses(a) || is_of_readers(a) ||
-           is_of_tracks(a);
+           is_of_tracks(a) || is_of_cities(a);
 }
 
 void bench(const BenchArguments &a)
@@ -52,6 +52,7 @@ void bench(const BenchArguments &a)
                         : is_of_key_poses(a)      ? bench_key_poses(a)
                         : is_of_readers(a)        ? bench_readers(a)
                         : is_of_tracks(a)         ? bench_tracks(a)
+                        : is_of_cities(a)         ? bench_cities(a)
                         : is_of_shadows(a)        ? bench_shadows(a)
                         : is_of_processes(a)      ? bench_processes(a)
                         : along_path              ? bench_along_path(a)
@@ -67,6 +68,7 @@ void bench(const BenchArguments &a)
     else if (is_of_key_poses(a)) print_key_poses(report);
     else if (is_of_readers(a)) print_readers(report);
     else if (is_of_tracks(a)) print_tracks(report);
+    else if (is_of_cities(a)) print_cities(report);
     else if (is_of_shadows(a)) print_shadows(report);
     else if (is_of_processes(a)) print_processes(report);
     else if (along_path) print_sections(report);
@@ -120,6 +122,7 @@ void choose_counts(BenchArguments &a)
     if (a.subject == "ten_thousand") a.counts = {100, 1000, 10000, 20000};
     if (is_growth(a)) a.counts = {1000, 3000, 10000, 30000, 100000};
     if (is_of_close_textures(a)) a.counts = {1000};
+    if (is_of_cities(a)) a.counts = {1000, 10000, 100000, 1000000};
     if (is_of_tracks(a)) a.counts = {1000, 10000};
     if (is_of_readers(a)) a.counts = {100000};
     if (is_of_key_poses(a)) a.counts = {a.subject == "keypose-script" ? 2500u : 10000u};
@@ -140,7 +143,8 @@ void add_bench(CLI::App &app, Work &chosen)
         "SCENE", a->subject,
         "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
         "--flush 16384); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
-        "100 000 actors; vertex_format: packed "
+        "100 000 actors; million: a city of up to a million, million-memory: the same for a chart of its memory; "
+        "vertex_format: packed "
         "vertices against floats; close_textures: a texture for each of 1000 people against one for all; readers: how "
         "the time of reading grows with the counts in a file; tracks: people "
         "who walk on tracks against "

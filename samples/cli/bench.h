@@ -54,6 +54,11 @@ bool is_of_tracks(const BenchArguments &arguments);
 Json bench_tracks(const BenchArguments &arguments);
 void print_tracks(const Json &report);
 
+// A city of up to a million people: a line chart of times, or of memory, with the table in "runs".
+bool is_of_cities(const BenchArguments &arguments);
+Json bench_cities(const BenchArguments &arguments);
+void print_cities(const Json &report);
+
 // Kinds of shadows on the ground.
 Json bench_shadows(const BenchArguments &arguments);
 void print_shadows(const Json &report);

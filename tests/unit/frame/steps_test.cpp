@@ -56,6 +56,7 @@ protected:
         {
             View *const view = scene.views[0].get();
             reserve(scene.crowd, base::Span<View *const>(&view, 1));
+            reserve_candidates(scene.crowd, base::Span<View *const>(&view, 1), scene.crowd.row_capacity());
         }
     };
 
@@ -74,28 +75,32 @@ TEST_F(StepsTest, CullGroupsNeedsRoomForBlocksGroupsAndRows)
 {
     const size_t blocks = work_.blocks.blocks().count;
     const auto step = [&](size_t seen, size_t tested) {
-        return CullGroups{given_,
-                          work_.blocks,
-                          cut(work_.block_seen, seen),
-                          base::Span<GroupRow>(work_.groups),
-                          cut(work_.tested, tested),
-                          work_.stats};
+        return CullGroups{given_, work_.blocks, cut(work_.block_seen, seen), cut(work_.tested, tested)};
     };
     fits(step(blocks, rows_));
     if (blocks > 0) is_refused(step(blocks - 1, rows_), "no room for every block in every view");
-    is_refused(step(blocks, rows_ - 1), "no room for every group and row");
+    is_refused(step(blocks, rows_ - 1), "no room for every row");
 }
 
 TEST_F(StepsTest, CullRefpointsNeedsRoomForAllThatAreTested)
 {
     const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
+    const auto step = [&](size_t passed) { return CullRefpoints{given_, tested, {}, cut(work_.passed, passed)}; };
+    fits(step(rows_));
+    is_refused(step(rows_ - 1), "no room for all that are tested");
+}
+
+TEST_F(StepsTest, ListCandidatesNeedsAllThatAreTestedAndRoomForAllThatPassed)
+{
+    const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
+    for (uint32_t i = 0; i < rows_; ++i) work_.passed[i] = i % 2;
     const auto step = [&](size_t passed, size_t candidates) {
-        return CullRefpoints{given_,     tested, {}, cut(work_.passed, passed), cut(work_.candidates, candidates),
-                             work_.stats};
+        const base::Span<const uint8_t> let_through(work_.passed.data(), static_cast<uint32_t>(passed));
+        return ListCandidates{given_, tested, let_through, cut(work_.candidates, candidates), work_.stats};
     };
-    fits(step(rows_, rows_));
-    is_refused(step(rows_ - 1, rows_), "no room for all that are tested");
-    is_refused(step(rows_, rows_ - 1), "no room for all that are tested");
+    fits(step(rows_, rows_ / 2));
+    is_refused(step(rows_ - 1, rows_ / 2), "not all that are tested were culled");
+    is_refused(step(rows_, rows_ / 2 - 1), "no room for all that passed");
 }
 
 TEST_F(StepsTest, PlaceRootsNeedsRowsThatExist)
