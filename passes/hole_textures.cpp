@@ -11,7 +11,7 @@ namespace
 
 constexpr gl::Enum alpha = 0x1906, alpha8 = 0x803C;
 
-int32_t wrap_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat); }
+int32_t wrapping_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat); }
 
 // Sets that show the same image share a texture.
 uint32_t image_of(const model::Texture &texture, uint32_t set) { return texture.set_images.empty() ? 0 : set; }
@@ -40,8 +40,8 @@ bool HoleTextures::load(const Gl11 &gl, const model::Template &tmpl, uint32_t te
     gl.BindTexture(gl::texture_2d, name);
     gl.TexParameteri(gl::texture_2d, gl::texture_min_filter, static_cast<int32_t>(gl::nearest));
     gl.TexParameteri(gl::texture_2d, gl::texture_mag_filter, static_cast<int32_t>(gl::nearest));
-    gl.TexParameteri(gl::texture_2d, gl::wrap_s, wrap_of(from.wrap_s));
-    gl.TexParameteri(gl::texture_2d, gl::wrap_t, wrap_of(from.wrap_t));
+    gl.TexParameteri(gl::texture_2d, gl::wrap_s, wrapping_of(from.wrap_s));
+    gl.TexParameteri(gl::texture_2d, gl::wrap_t, wrapping_of(from.wrap_t));
     gl.TexImage2D(gl::texture_2d, 0, static_cast<int32_t>(alpha8), static_cast<int32_t>(width),
                   static_cast<int32_t>(height), 0, alpha, gl::unsigned_byte, texels_.data());
     int32_t taken = 0;
