@@ -15,14 +15,15 @@ struct Candidate {
     LevelReport level;
     bool is_proxy = false;  // one part replaces all parts
     bool is_measured = false;
-    size_t target = 0;  // the number of triangles that was asked for
+    bool loses_zone = false;  // see area_fractions.h
+    size_t target = 0;        // the number of triangles that was asked for
     std::vector<model::Part> parts;
 };
 
 size_t triangle_count_of(const Candidate &made);
 
 // Removes useless candidates: levels whose distance does not exceed the one before, levels that hardly save triangles,
-// and levels below 20 triangles that cannot keep the zones' area fractions.
+// and levels below 20 triangles that cannot keep the zones' area fractions, or lose a zone.
 std::vector<Candidate> prune(std::vector<Candidate> all);
 
 // Of a decimated level and a proxy with similar triangle counts, keeps the one with the smaller error. `made` keeps the

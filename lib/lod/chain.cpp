@@ -183,8 +183,9 @@ void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std
         LevelReport &level = proxies[i]->level;
         level.vertices = proxies[i]->parts[0].positions.size();
         level.deviation.wrong_zone = wrong_zone(model, from.fine, source.visibility, proxies[i]->parts);
-        level.zone_area_error =
-            zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(proxies[i]->parts)));
+        const std::vector<double> fractions = zone_area_fractions(model, pointers(proxies[i]->parts));
+        level.zone_area_error = zone_area_error(source.area_fractions, fractions);
+        proxies[i]->loses_zone = loses_zone(source.area_fractions, fractions);
     });
 }
 

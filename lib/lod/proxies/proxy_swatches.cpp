@@ -23,6 +23,8 @@ constexpr double tint_step = 0.25;
 constexpr uint32_t swatch_px = 4;         // equal texels across a swatch, so that rounding never samples a neighbour
 constexpr uint32_t swatches_across = 16;  // across the image
 
+constexpr double min_weight = 0.5, max_weight = 3;  // of a wrong zone where the source has few or many triangles
+
 struct Swatch {
     uint32_t zone = 0, shade = 0, shades = 1;  // index and count of shades
     std::array<int, 3> tint{};                 // in steps
@@ -62,10 +64,11 @@ void add_colour(const ProxySource &source, const SurfacePoint &point, double are
             sums[i] += {area * texel_at(source.model, source.fine, point, source.set(i)), area};
 }
 
-std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedParts &part)
+std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedParts &part,
+                                         const std::vector<PointPair> &out)
 {
     std::vector<ZoneColours> zone_colours(part.triangles().size());
-    const std::vector<PointPair> out = nearest_pairs(source.fine, part), back = nearest_pairs(part, source.fine);
+    const std::vector<PointPair> back = nearest_pairs(part, source.fine);
     for (const PointPair &pair : out) {
         const uint32_t t = pair.here.triangle;
         if (pair.corner == PointPair::inside && source.visibility[t] > 0)
@@ -80,13 +83,34 @@ std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedP
     return zone_colours;
 }
 
+// Returns how much a wrong zone on each triangle of the level matters. Where its maker gave the source more triangles
+// for the same area, as on a face, people look.
+std::vector<double> weights_of(const ProxySource &source, const PosedParts &part, const std::vector<PointPair> &out)
+{
+    std::vector<double> counts(part.triangles().size(), 0), areas(counts);
+    double count = 0, area = 0;
+    for (const PointPair &pair : out) {
+        const uint32_t t = pair.here.triangle;
+        if (pair.corner != PointPair::inside || !(source.visibility[t] > 0)) continue;
+        const double here = area_of(source.fine, t) * source.visibility[t];
+        counts[pair.there.triangle] += source.visibility[t], areas[pair.there.triangle] += here;
+        count += source.visibility[t], area += here;
+    }
+    std::vector<double> weights;
+    for (size_t t = 0; t < counts.size(); ++t) {
+        const double density = areas[t] > 0 ? counts[t] / areas[t] * area / count : 1;
+        weights.push_back(std::clamp(std::sqrt(density), min_weight, max_weight));
+    }
+    return weights;
+}
+
 std::vector<uint32_t> zones_of(const ProxySource &source, const PosedParts &part,
-                               const std::vector<ZoneColours> &zone_colours)
+                               const std::vector<ZoneColours> &zone_colours, const std::vector<double> &weights)
 {
     std::vector<ZoneAreas> areas(zone_colours.size());
     for (size_t t = 0; t < zone_colours.size(); ++t)
         for (const auto &[zone, sums] : zone_colours[t]) areas[t][zone] = sums[0].area;
-    return assign_zones(source.model, source.fine, part, areas, source.area_fractions[0]);
+    return assign_zones(source.model, source.fine, part, areas, source.area_fractions[0], weights);
 }
 
 // The mean colour of each zone, for triangles that show a zone without samples of it.
@@ -141,8 +165,9 @@ std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<m
     std::vector<std::vector<Swatch>> swatches;
     for (const model::Part &part : parts) {
         const PosedParts coarse = source.at_rest(part);
-        const std::vector<ZoneColours> zone_colours = collect_colours(source, coarse);
-        const std::vector<uint32_t> zones = zones_of(source, coarse, zone_colours);
+        const std::vector<PointPair> out = nearest_pairs(source.fine, coarse);
+        const std::vector<ZoneColours> zone_colours = collect_colours(source, coarse, out);
+        const std::vector<uint32_t> zones = zones_of(source, coarse, zone_colours, weights_of(source, coarse, out));
         const uint32_t shades = zone_colours.size() <= one_shade_triangles ? 1 : max_shades;
         const ZoneColours usual = usual_colours(zone_colours);
         swatches.emplace_back();

@@ -37,7 +37,7 @@ class ZoneCost
 {
 public:
     ZoneCost(const model::Model &model, const PosedParts &source, const PosedParts &level,
-             const std::vector<ZoneAreas> &zone_areas, const ZoneValues &areas)
+             const std::vector<ZoneAreas> &zone_areas, const ZoneValues &areas, const std::vector<double> &weights)
         : zones_(model.zones.size() + 1)
     {
         std::vector<std::vector<NearestPoint::Triangle>> centres(zones_);
@@ -62,7 +62,7 @@ public:
                 row[known[i]] = 1 + std::sqrt(nearest[i].to(middle).distance_squared) / size;
             for (const auto &[zone, area] : zone_areas[t])
                 row[std::min<size_t>(zone, zones_ - 1)] = all > 0 ? 1 - area / all : 0;
-            for (double &one : row) one *= areas[t];
+            for (double &one : row) one *= weights.empty() ? areas[t] : weights[t] * areas[t];
             rows_.push_back(std::move(row));
         }
     }
@@ -242,12 +242,13 @@ private:
 }  // namespace
 
 std::vector<uint32_t> assign_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
-                                   const std::vector<ZoneAreas> &zone_areas, const std::vector<double> &area_fractions)
+                                   const std::vector<ZoneAreas> &zone_areas, const std::vector<double> &area_fractions,
+                                   const std::vector<double> &weights)
 {
     ZoneValues areas = visible_areas(model, level);
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
-    const ZoneCost zone_cost(model, source, level, zone_areas, areas);
+    const ZoneCost zone_cost(model, source, level, zone_areas, areas, weights);
     ZoneAssignment assignment(level, zone_cost, areas, area_fractions);
     assignment.improve();
     if (areas.size() <= few) {

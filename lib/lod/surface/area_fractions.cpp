@@ -36,4 +36,11 @@ double zone_area_error(const std::vector<double> &a, const std::vector<double> &
     return maximum;
 }
 
+bool loses_zone(const std::vector<double> &source, const std::vector<double> &level)
+{
+    for (size_t i = 0; i < std::min(source.size(), level.size()); ++i)
+        if (source[i] >= 0.01 && level[i] * 10 < source[i]) return true;
+    return false;
+}
+
 }  // namespace claque::lod

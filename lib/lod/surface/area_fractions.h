@@ -22,4 +22,7 @@ std::vector<double> zone_area_fractions(const model::Model &model, const PosedPa
 // Returns the largest difference between two results, in [0, 1].
 double zone_area_error(const std::vector<double> &a, const std::vector<double> &b);
 
+// Returns whether a zone of at least a hundredth of the source shows less than a tenth of that in the level.
+bool loses_zone(const std::vector<double> &source, const std::vector<double> &level);
+
 }  // namespace claque::lod

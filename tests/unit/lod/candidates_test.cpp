@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/lod/surface/area_fractions.h"
+
 using namespace claque;
 
 namespace
@@ -42,6 +44,19 @@ TEST(Candidates, OfADecimatedLevelAndAProxyOfAsManyTrianglesTheOneWithTheSmaller
     lod::prefer_near(made, targets);
     EXPECT_EQ(triangles_of(made), (std::vector<size_t>{1000, 490}));
     EXPECT_EQ(targets, (std::vector<size_t>{250, 120, 30}));
+}
+
+// Those of 20 triangles and more stay: a chain needs them.
+TEST(Candidates, OfFewTrianglesThatLoseAZoneAreDropped)
+{
+    std::vector<lod::Candidate> made = {of(1000, 0, false), of(60, 0.01, true), of(30, 0.02, true), of(14, 0.05, true)};
+    made[1].loses_zone = true;
+    EXPECT_EQ(triangles_of(lod::prune(made)), (std::vector<size_t>{1000, 60, 30, 14}));
+    made[3].loses_zone = true;
+    EXPECT_EQ(triangles_of(lod::prune(made)), (std::vector<size_t>{1000, 60, 30}));
+    const std::vector<double> source = {0.5, 0.485, 0.015, 0.009};
+    EXPECT_FALSE(lod::loses_zone(source, {0.52, 0.46, 0.01, 0}));
+    EXPECT_TRUE(lod::loses_zone(source, {0.52, 0.47, 0.0014, 0.0086}));
 }
 
 TEST(Candidates, ThatHaveLargerErrorsThanProxiesOfFewerTrianglesAreReplaced)

@@ -48,6 +48,15 @@ model::Model loaded(const std::string &name)
     return asset::load_gltf(bytes.data(), bytes.size(), options);
 }
 
+std::vector<const model::Part *> shown_at(const model::Model &model, double distance_m)
+{
+    std::vector<const model::Part *> shown;
+    for (const model::Part &part : model.parts)
+        if (!part.hidden && double(part.lod_min_m) <= distance_m && distance_m < double(part.lod_max_m))
+            shown.push_back(&part);
+    return shown;
+}
+
 }  // namespace
 
 std::string name_of(const testing::TestParamInfo<std::string> &character)
@@ -69,6 +78,7 @@ TEST_P(LevelsOfCharacters, GoDownToAFewDozenTrianglesWithoutGapsAndKeepTheirZone
     model::Model model = loaded(GetParam());
     lod::ChainOptions options;
     options.sampling.max_clips = 0;
+    const std::vector<double> wanted = lod::zone_area_fractions(model, shown_at(model, 0));
     const std::vector<lod::LevelReport> chain = lod::make_chain(model, options);
     std::string reached;
     for (size_t k = 0; k < chain.size(); ++k) {
@@ -82,6 +92,9 @@ TEST_P(LevelsOfCharacters, GoDownToAFewDozenTrianglesWithoutGapsAndKeepTheirZone
             EXPECT_GE(chain[k].triangles * 4, chain[k - 1].triangles) << reached;
         }
         EXPECT_LE(chain[k].zone_area_error, 0.02) << chain[k].triangles;
+        const double within = k + 1 < chain.size() ? 0.5 * (chain[k].distance_m + chain[k + 1].distance_m) : 1e30;
+        EXPECT_FALSE(lod::loses_zone(wanted, lod::zone_area_fractions(model, shown_at(model, within))))
+            << "a zone of a hundredth of the surface is lost at " << chain[k].triangles;
     }
     std::cout << GetParam() << reached << '\n';
     EXPECT_LE(chain.back().triangles, 30u);
