@@ -69,7 +69,7 @@ TEST(NearestPoint, OfOneTriangleIsNearerThanAnyPointOfAGrid)
     }
 }
 
-// With needles, lines and points, small and far from the origin, and from points near by and far away.
+// With needles, lines and points, small and far from the origin, and from points on them, near by and far away.
 TEST(NearestPoint, IsTheSameTriangleWhateverTheGuess)
 {
     for (const double size : {1e-3, 1.0, 1e6})
@@ -78,7 +78,8 @@ TEST(NearestPoint, IsTheSameTriangleWhateverTheGuess)
             const lod::NearestPoint nearest(triangles);
             for (uint64_t i = 0; i < 300; ++i) {
                 const double far = i % 10 == 0 ? 1000 : 1.5;
-                const glm::dvec3 p = size * (glm::dvec3(away - 0.25) + far * somewhere(9000 + i));
+                const glm::dvec3 on = lod::point_on(triangles[i], {0.25, 0.25, 0.5});
+                const glm::dvec3 p = i % 3 ? size * (glm::dvec3(away - 0.25) + far * somewhere(9000 + i)) : on;
                 double best = 1e300;
                 for (const auto &t : triangles) {
                     const glm::dvec3 off = lod::point_on(t, lod::nearest_on(t, p)) - p;
