@@ -130,10 +130,10 @@ bench: build
 	$(CLAQUE) plot out/parity-fig11.json --out out/parity-fig11.svg
 
 golden-accept: build
-	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png
-	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
-	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --size 320x240 --time 1.5 --out tests/golden/odeon.png
-	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --lod off --count 400 --size 320x240 --time 1.5 --out tests/golden/plaza.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --lod off --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --lod off --size 320x240 --time 1.5 --out tests/golden/odeon.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --lod off --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
 	$(BUILD)/tests/embed/strip_host > tests/golden/strip_host.txt
 
 # What the shared libraries export and import now is what they may.

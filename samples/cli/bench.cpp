@@ -37,8 +37,8 @@ bool is_of_shadows(const BenchArguments &a) { return !a.shadows.empty(); }
 bool is_of_processes(const BenchArguments &a) { return !a.processes.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
-    return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_key_poses(a) || is_of_readers(a) ||
-           is_of_tracks(a) || is_of_cities(a);
+    return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_flicker(a) || is_of_key_poses(a) ||
+           is_of_readers(a) || is_of_tracks(a) || is_of_cities(a);
 }
 
 void bench(const BenchArguments &a)
@@ -49,6 +49,7 @@ void bench(const BenchArguments &a)
     const Json report = is_growth(a)              ? bench_growth(a)
                         : is_of_close_textures(a) ? bench_close_textures(a)
                         : is_vertex_format(a)     ? bench_vertex_format(a)
+                        : is_of_flicker(a)        ? bench_flicker(a)
                         : is_of_key_poses(a)      ? bench_key_poses(a)
                         : is_of_readers(a)        ? bench_readers(a)
                         : is_of_tracks(a)         ? bench_tracks(a)
@@ -65,6 +66,7 @@ void bench(const BenchArguments &a)
     else if (is_growth(a)) print_growth(report);
     else if (is_of_close_textures(a)) print_close_textures(report);
     else if (is_vertex_format(a)) print_vertex_format(report);
+    else if (is_of_flicker(a)) print_flicker(report);
     else if (is_of_key_poses(a)) print_key_poses(report);
     else if (is_of_readers(a)) print_readers(report);
     else if (is_of_tracks(a)) print_tracks(report);
@@ -112,7 +114,6 @@ void prefer_speed(const CLI::App &command, BenchArguments &a)
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::egl, 16, 16, contexts::PixelFormat::rgba8888, why_not)) return;
     a.setup.context = "egl";
-    if (command.count("--flush") == 0) a.setup.flush_triangles = 16384;
 }
 
 // The numbers of people where none are given.
@@ -141,12 +142,12 @@ void add_bench(CLI::App &app, Work &chosen)
         "bench", "Measure update and draw by cache and strategy, along a camera path or by number of people");
     c->add_option(
         "SCENE", a->subject,
-        "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, and on EGL to "
-        "--flush 16384); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
+        "What to measure: the name of a scene (ten_thousand defaults to --cache full --strategy fused, on EGL if it is "
+        "there); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
         "100 000 actors; million: a city of up to a million, million-memory: the same for a chart of its memory; "
-        "vertex_format: packed "
-        "vertices against floats; close_textures: a texture for each of 1000 people against one for all; readers: how "
-        "the time of reading grows with the counts in a file; tracks: people "
+        "vertex_format: packed vertices against floats; close_textures: a texture for each of 1000 people against one "
+        "for all; flicker: how much the odeon flickers past people who stand still; readers: how the time of reading "
+        "grows with the counts in a file; tracks: people "
         "who walk on tracks against "
         "people in place; or shared "
         "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error");
@@ -168,12 +169,14 @@ void add_bench(CLI::App &app, Work &chosen)
         ->delimiter(',')
         ->check(cache_choice)
         ->capture_default_str();
-    c->add_option("--lod", a->lods,
-                  "Along a theatre's path: people with levels of detail (on), without (off), or both separated by a "
-                  "comma (S1 Fig. 8); with --shadows only one")
-        ->delimiter(',')
-        ->check(CLI::IsMember({"off", "on"}))
-        ->capture_default_str();
+    CLI::Option *lod =
+        c->add_option(
+             "--lod", a->lods,
+             "People with levels of detail (on) or without (off); along a theatre's path also both, separated by a "
+             "comma (S1 Fig. 8)")
+            ->delimiter(',')
+            ->check(CLI::IsMember({"off", "on"}))
+            ->capture_default_str();
     c->add_option("--shadows", a->shadows,
                   "Measure shadows on the ground instead of caches and strategies; kinds separated by commas: none, "
                   "blob, mesh, and with a stencil bit blob-stencil, mesh-stencil")
@@ -205,14 +208,18 @@ void add_bench(CLI::App &app, Work &chosen)
     c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a Markdown table")
         ->excludes(json);
     c->add_option("--save", a->save, "Also write the JSON to this file")->excludes(json);
-    c->callback([a, tracks, c, count, cull, &chosen] {
+    c->callback([a, tracks, c, count, cull, lod, &chosen] {
         choose_scene(*c, *a, *tracks);
         if (cull->count() > 0 && !of_actors(*a))
             throw CLI::ValidationError("--cull",
                                        "compares cull modes in scenes of actors: hundred_actors, town_sky, vehicle");
-        if (a->lods != std::vector<std::string>{"off"} && !is_of_shadows(*a) &&
-            (a->setup.camera != "path" || !is_theatre(a->setup)))
-            throw CLI::ValidationError("--lod", "needs a theatre with a camera that follows a path");
+        const bool of_odeon = is_of_flicker(*a);
+        if (lod->count() > 0 && !of_odeon && (has_no_scene(*a) || of_actors(*a)))
+            throw CLI::ValidationError("--lod", "needs a scene with people");
+        if (a->lods.size() > 1 && !of_odeon &&
+            (a->setup.camera != "path" || !is_theatre(a->setup) || is_of_shadows(*a)))
+            throw CLI::ValidationError("--lod", "takes one value but in a theatre with a camera that follows a path");
+        a->setup.lod = a->lods.front();
         if (count->count() == 0) choose_counts(*a);
         else if (a->setup.described && a->setup.described->tracks)
             throw CLI::ValidationError("--count", "is that of the file of trajectories where people walk on tracks");

@@ -11,7 +11,7 @@ struct BenchArguments {
     std::string subject;
     std::vector<uint32_t> counts = {100, 500, 1000};
     std::vector<std::string> strategies = strategy_names(), caches = cache_names();
-    std::vector<std::string> lods = {"off"};
+    std::vector<std::string> lods = {"on"};
     std::vector<std::string> culls = {"actor", "traditional"};
     std::vector<std::string> shadows;  // empty: shadows as the scene paints them; caches and strategies are compared
     std::vector<int> processes;        // empty: caches and strategies are compared
@@ -66,6 +66,11 @@ void print_shadows(const Json &report);
 // One picture by several processes: a line chart with its table in "runs", and a model of more of them.
 Json bench_processes(const BenchArguments &arguments);
 void print_processes(const Json &report);
+
+// How much a picture flickers past people who stand still.
+bool is_of_flicker(const BenchArguments &arguments);
+Json bench_flicker(const BenchArguments &arguments);
+void print_flicker(const Json &report);
 
 // Floating-point against packed vertices.
 Json bench_vertex_format(const BenchArguments &arguments);

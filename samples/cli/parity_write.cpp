@@ -79,6 +79,7 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     a->setup.flat_triangles = 0;  // lit smoothly, as in other renderers
+    a->setup.lod = "off";         // which have no levels to compare
     add_hide_option(*c, a->setup);
     add_scene_options(*c, a->setup);
     add_clip_options(*c, a->clips);

@@ -211,10 +211,11 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &comm
     gl_.DepthMask(1);
     gl_.ClearColor(0, 0, 0, 1);
     gl_.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
-    sky_.draw(gl_, eye);
     scenes::set_lights(gl_, light_, eye);
     gl_.Disable(gl::lighting);
     ground_.draw(gl_);
+    sky_.draw(gl_, eye);
+    gl_.Disable(gl::lighting);
     shadows_->draw(gl_);
     gl_.Enable(gl::lighting);
     check(clq_renderer_draw(renderer_.get(), made, nullptr));

@@ -74,8 +74,8 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
         ->check(CLI::Range(0.0, 1e6))
         ->capture_default_str();
     c.add_option("--lod", a->setup.lod,
-                 "On the plaza and in the odeon: people with levels of detail (on), without (off), or only the first "
-                 "level (finest). FILE has levels unless this is off")
+                 "People with levels of detail (on), without (off, for comparison), or with the first level only "
+                 "(finest), where the scene has them. FILE has levels unless this is off")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->each([a](const std::string &lod) { a->setup.file_without_levels = lod == "off"; })
         ->capture_default_str();

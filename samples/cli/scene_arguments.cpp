@@ -60,9 +60,9 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
         ->capture_default_str();
     command
         .add_option("--flush", a.flush_triangles,
-                    "Call glFlush after about this many triangles of people, so that GL starts on them (0: never)")
-        ->check(CLI::Range(0, 1 << 30))
-        ->capture_default_str();
+                    "Call glFlush after about this many triangles of people, so that GL starts on them (0: never; "
+                    "default 16384 with EGL, never with OSMesa, where it copies the picture)")
+        ->check(CLI::Range(0, 1 << 30));
     command
         .add_option("--flat", a.flat_triangles,
                     "Draw coarse levels of at most this many triangles with one colour a triangle (0: never)")

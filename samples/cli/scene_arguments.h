@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -36,11 +37,12 @@ struct SceneArguments {
     double key_pose_hz = 15;
     std::string cull = "actor", rigid_mode = "vertices", vertex_format = "float", show = "nothing";
     double cull_scale = 1;
-    std::string lod = "off";           // on the plaza and in the odeon
+    std::string lod = "on";            // of built-in people and of characters on tracks
     bool file_without_levels = false;  // --lod off was given: FILE has only levels of its own
     std::string shadows = "painted";
     double blob_from_m = 40;
-    uint32_t flush_triangles = 0, flat_triangles = 64;
+    std::optional<uint32_t> flush_triangles;
+    uint32_t flat_triangles = 64;
     double lod_scale = 1;
     double hour = 0;  // 0: not given
     uint32_t close_mib = 0;

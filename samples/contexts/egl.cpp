@@ -133,6 +133,7 @@ public:
             [](void *, const char *name) { return reinterpret_cast<GlFunction>(egl_library().get_proc_address(name)); };
     }
     void *user() const override { return nullptr; }
+    bool flushes_cheaply() const override { return true; }
 
 private:
     static EglOffscreen *&current()

@@ -35,6 +35,8 @@ public:
 
     // For example "OSMesa, llvmpipe (LLVM 15.0.6, 256 bits), 4.5 (Compatibility Profile) Mesa 22.3.6".
     const std::string &name() const { return name_; }
+    // False where a flush copies the picture, as with OSMesa; elsewhere it lets GL paint while more is sent.
+    virtual bool flushes_cheaply() const = 0;
     int width() const { return width_; }
     int height() const { return height_; }
 

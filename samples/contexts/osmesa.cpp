@@ -70,6 +70,7 @@ public:
         return [](void *, const char *name) { return osmesa_library().get_proc_address(name); };
     }
     void *user() const override { return nullptr; }
+    bool flushes_cheaply() const override { return false; }
 
 private:
     unsigned type_;

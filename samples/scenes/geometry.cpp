@@ -37,6 +37,12 @@ uint32_t Geometry::add(Vec3 position, Vec3 normal, float u, float v, Rgb colour,
     return static_cast<uint32_t>(vertices_.size() - 1);
 }
 
+uint32_t Geometry::add(const SceneryVertex &vertex)
+{
+    vertices_.push_back(vertex);
+    return static_cast<uint32_t>(vertices_.size() - 1);
+}
+
 void Geometry::triangle(uint32_t a, uint32_t b, uint32_t c) { indices_.insert(indices_.end(), {a, b, c}); }
 
 void Geometry::quad(const std::array<Vec3, 4> &p, Rgb colour)
@@ -93,9 +99,9 @@ void Geometry::disc(float x, float y, float z, float radius, int sides, Rgb colo
     }
 }
 
-void Geometry::draw(const Gl &g) const
+void Geometry::draw(const Gl &g, const std::vector<uint32_t> &indices) const
 {
-    if (indices_.empty()) return;
+    if (indices.empty()) return;
     constexpr int stride = sizeof(SceneryVertex);
     const SceneryVertex *v = vertices_.data();
     g.EnableClientState(gl::vertex_array);
@@ -106,7 +112,7 @@ void Geometry::draw(const Gl &g) const
     g.NormalPointer(gl::float_type, stride, &v->normal);
     g.TexCoordPointer(2, gl::float_type, stride, &v->u);
     g.ColorPointer(4, gl::unsigned_byte, stride, v->rgba);
-    g.DrawElements(gl::triangles, static_cast<int>(indices_.size()), gl::unsigned_int, indices_.data());
+    g.DrawElements(gl::triangles, static_cast<int>(indices.size()), gl::unsigned_int, indices.data());
     g.DisableClientState(gl::vertex_array);
     g.DisableClientState(gl::normal_array);
     g.DisableClientState(gl::color_array);

@@ -32,6 +32,7 @@ public:
     explicit Geometry(float texture_metres = 1.0f) : per_metre_(1.0f / texture_metres) {}
 
     uint32_t add(Vec3 position, Vec3 normal, float u, float v, Rgb colour, float alpha = 1.0f);
+    uint32_t add(const SceneryVertex &vertex);
     void triangle(uint32_t a, uint32_t b, uint32_t c);
 
     // Corners counter-clockwise seen from outside.
@@ -47,7 +48,9 @@ public:
     // A horizontal disc that faces up.
     void disc(float x, float y, float z, float radius, int sides, Rgb colour);
 
-    void draw(const Gl &gl) const;
+    void draw(const Gl &gl) const { draw(gl, indices_); }
+    // Other triangles of the same vertices, three indices each.
+    void draw(const Gl &gl, const std::vector<uint32_t> &indices) const;
     void clear();
 
     const std::vector<SceneryVertex> &vertices() const { return vertices_; }

@@ -32,6 +32,7 @@ bool load(Gl &gl, GetProcAddress get, void *user, std::string &missing)
     find("glDisable", gl.Disable);
     find("glDepthMask", gl.DepthMask);
     find("glDepthFunc", gl.DepthFunc);
+    find("glDepthRange", gl.DepthRange);
     find("glBlendFunc", gl.BlendFunc);
     find("glMatrixMode", gl.MatrixMode);
     find("glLoadIdentity", gl.LoadIdentity);

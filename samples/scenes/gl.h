@@ -40,6 +40,7 @@ struct Gl {
     void (*Disable)(unsigned) = nullptr;
     void (*DepthMask)(unsigned char) = nullptr;
     void (*DepthFunc)(unsigned) = nullptr;
+    void (*DepthRange)(double, double) = nullptr;
     void (*BlendFunc)(unsigned, unsigned) = nullptr;
     void (*MatrixMode)(unsigned) = nullptr;
     void (*LoadIdentity)() = nullptr;

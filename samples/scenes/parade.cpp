@@ -99,10 +99,11 @@ public:
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
         set_lights(g, light_, eye);
         g.Disable(gl::lighting);
         ground_.draw(g);
+        sky_.draw(g, eye);
+        g.Disable(gl::lighting);
         if (paints_people_) shadows_.draw(g);
     }
 

@@ -1,6 +1,7 @@
 // Citizens on a Roman plaza: rings of talkers, an audience before its speaker, and walkers round them all.
 #include <algorithm>
 
+#include "samples/scenes/blocks.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/plaza_buildings.h"
 #include "samples/scenes/random.h"
@@ -18,6 +19,8 @@ namespace
 constexpr double citizen_stride_m = 1.24;
 constexpr float citizen_height_m = 1.75f, citizen_shadow_width_m = 0.95f;
 
+constexpr float far_m = 34;  // where a column's mouldings are a few pixels
+
 class Plaza final : public Scene
 {
 public:
@@ -31,9 +34,13 @@ public:
     {
         for (const Standing &s : layout_.standing) enter(s);
         for (const Walking &w : layout_.walking) enter(w);
-        pave(ground_, layout_, crowd_options.seed);
-        grow(field_, layout_, crowd_options.seed);
-        build(stone_, layout_, crowd_options.seed);
+        Geometry ground, field;
+        Parts stone(plaster_metres);
+        pave(ground, layout_, crowd_options.seed);
+        grow(field, layout_, crowd_options.seed);
+        build(stone, layout_, crowd_options.seed);
+        ground_ = Blocks(ground, 12), field_ = Blocks(field, 60),
+        stone_ = Blocks(stone, 8, {far_m, light_, plaster_mean});
         rims();
     }
 
@@ -69,24 +76,26 @@ public:
         return true;
     }
 
+    void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
     void prepare(const Gl &gl) override
     {
-        flagstones_.emplace(gl, flagstones(seed_), true);
-        plaster_.emplace(gl, plaster(seed_), true);
+        flagstones_.emplace(gl, flagstones(seed_), true, Texture::Filter::bilinear);
+        plaster_.emplace(gl, plaster(seed_), true, Texture::Filter::bilinear);
         shadows_.prepare(gl);
     }
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
         set_lights(g, light_, eye);
-        g.Disable(gl::texture_2d);
-        field_.draw(g);
-        flagstones_->use();
-        ground_.draw(g);
+        const Frustum cull(eye, cull_share_);
         g.Enable(gl::cull_face);
         plaster_->use();
-        stone_.draw(g);
+        stone_.draw(g, eye, &cull);
+        flagstones_->use();
+        ground_.draw(g, eye, &cull);
+        g.Disable(gl::texture_2d);
+        field_.draw(g, eye, &cull);
+        sky_.draw(g, eye);
         if (paints_people_)
             shadows_.cast(scene_crowd_.places(), light_.to_sun, citizen_height_m, citizen_shadow_width_m);
         shadows_.draw(g);
@@ -167,7 +176,8 @@ private:
     bool placed_ = false, paints_people_ = true;
     Daylight light_;
     Sky sky_;
-    Geometry ground_, field_, stone_ = Geometry(plaster_metres);
+    Blocks ground_, field_, stone_;
+    float cull_share_ = 1;
     std::optional<Texture> flagstones_, plaster_;
     mutable Shadows shadows_;
 };

@@ -35,21 +35,31 @@ struct Site {
                 at(c[3].x, c[3].y, c[3].z)},
                colour);
     }
-    void column(Geometry &g, float along, float out, float foot, float height, float radius, int sides) const
+    void column(Parts &parts, float along, float out, float foot, float height, float radius, int sides) const
     {
         const Vec3 p = at(along, 0, out);
         const float r = radius, top = foot + height;
-        g.box({p.x - 1.35f * r, foot, p.z - 1.35f * r}, {p.x + 1.35f * r, foot + 0.35f * r, p.z + 1.35f * r}, marble);
-        g.turned(p.x, p.z,
-                 {{1.3f * r, foot + 0.35f * r},
-                  {1.3f * r, foot + 0.6f * r},
-                  {1.02f * r, foot + 0.8f * r},
-                  {r, foot + height * 0.35f},
-                  {0.84f * r, top - 1.1f * r},
-                  {0.9f * r, top - 0.95f * r},
-                  {1.3f * r, top - 0.4f * r}},
-                 sides, marble);
-        g.box({p.x - 1.4f * r, top - 0.4f * r, p.z - 1.4f * r}, {p.x + 1.4f * r, top, p.z + 1.4f * r}, marble);
+        const auto plate = [&](Geometry &g, float half, float low, float high) {
+            g.box({p.x - half, low, p.z - half}, {p.x + half, high, p.z + half}, marble);
+        };
+        parts.end();
+        plate(parts.fine, 1.35f * r, foot, foot + 0.35f * r);
+        parts.fine.turned(p.x, p.z,
+                          {{1.3f * r, foot + 0.35f * r},
+                           {1.3f * r, foot + 0.6f * r},
+                           {1.02f * r, foot + 0.8f * r},
+                           {r, foot + height * 0.35f},
+                           {0.84f * r, top - 1.1f * r},
+                           {0.9f * r, top - 0.95f * r},
+                           {1.3f * r, top - 0.4f * r}},
+                          sides, marble);
+        plate(parts.fine, 1.4f * r, top - 0.4f * r, top);
+        plate(parts.coarse, 1.3f * r, foot, foot + 0.6f * r);
+        parts.coarse.turned(p.x, p.z,
+                            {{1.02f * r, foot + 0.6f * r}, {0.84f * r, top - 1.1f * r}, {1.3f * r, top - 0.4f * r}},
+                            sides * 4 / 7, marble);
+        plate(parts.coarse, 1.4f * r, top - 0.4f * r, top);
+        parts.end();
     }
 };
 
@@ -59,15 +69,16 @@ void ceiling(Geometry &g, const Site &s, float half, float y, float back, float 
     s.quad(g, {Vec3{-half, y, back}, {half, y, back}, {half, y, front}, {-half, y, front}}, shade);
 }
 
-void colonnade(Geometry &g, const Site &s, float length)
+void colonnade(Parts &parts, const Site &s, float length)
 {
+    Geometry &g = parts.fine;
     const float half = length / 2, steps = 0.36f, depth = 3.4f, high = 4.3f, top = steps + high;
     s.box(g, -half, half, 0, 0.18f, -depth, 0.35f, travertine);
     s.box(g, -half, half, 0.18f, steps, -depth, 0.0f, travertine);
     const int bays = std::max(2, static_cast<int>(length / 2.7f + 0.5f));
     for (int i = 0; i <= bays; ++i)
-        s.column(g, -half + 0.5f + (length - 1.0f) * static_cast<float>(i) / static_cast<float>(bays), -0.45f, steps,
-                 high, 0.27f, 14);
+        s.column(parts, -half + 0.5f + (length - 1.0f) * static_cast<float>(i) / static_cast<float>(bays), -0.45f,
+                 steps, high, 0.27f, 14);
     const float wall = -depth + 0.05f;  // in the shade behind the columns: a red dado below ochre
     s.box(g, -half, half, steps, 1.5f, wall - 0.4f, wall + 0.03f, red * 0.72f);
     s.box(g, -half, half, 1.5f, 1.62f, wall - 0.4f, wall + 0.06f, shade);
@@ -75,6 +86,7 @@ void colonnade(Geometry &g, const Site &s, float length)
     s.box(g, -half, half, top, top + 0.38f, -0.85f, -0.08f, marble);
     s.box(g, -half, half, top + 0.38f, top + 0.75f, -0.80f, -0.14f, ochre);
     s.box(g, -half - 0.2f, half + 0.2f, top + 0.75f, top + 0.95f, -1.0f, 0.18f, marble);
+    parts.end();
     ceiling(g, s, half, top, wall, -0.1f);
     s.quad(g,
            {Vec3{-half - 0.3f, top + 0.93f, 0.3f},
@@ -84,16 +96,17 @@ void colonnade(Geometry &g, const Site &s, float length)
            tile);
 }
 
-void temple(Geometry &g, const Site &s)
+void temple(Parts &parts, const Site &s)
 {
+    Geometry &g = parts.fine;
     const float half = 6.2f, steps = 1.4f, high = 6.6f, top = steps + high;
     for (int i = 0; i < 7; ++i) {
         const float out = 2.4f - 0.34f * static_cast<float>(i);
         s.box(g, -half - 0.25f, half + 0.25f, 0.2f * static_cast<float>(i), 0.2f * static_cast<float>(i + 1), -9, out,
               travertine);
     }
-    for (int i = 0; i < 6; ++i) s.column(g, -5.4f + 2.16f * static_cast<float>(i), -0.55f, steps, high, 0.44f, 20);
-    for (int side : {-1, 1}) s.column(g, 5.4f * static_cast<float>(side), -2.8f, steps, high, 0.44f, 20);
+    for (int i = 0; i < 6; ++i) s.column(parts, -5.4f + 2.16f * static_cast<float>(i), -0.55f, steps, high, 0.44f, 20);
+    for (int side : {-1, 1}) s.column(parts, 5.4f * static_cast<float>(side), -2.8f, steps, high, 0.44f, 20);
     s.box(g, -half + 0.5f, half - 0.5f, steps, top, -9, -4.6f, ochre * 0.8f);
     s.box(g, -1.3f, 1.3f, steps, steps + 4.2f, -4.65f, -4.55f, {0.30f, 0.24f, 0.17f});
     s.box(g, -1.55f, 1.55f, steps + 4.2f, steps + 4.5f, -4.7f, -4.45f, marble);
@@ -198,17 +211,20 @@ void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed)
     });
 }
 
-void build(Geometry &g, const PlazaLayout &layout, uint64_t seed)
+void build(Parts &parts, const PlazaLayout &layout, uint64_t seed)
 {
+    Geometry &g = parts.fine;
     const float hx = static_cast<float>(layout.half_x), hz = static_cast<float>(layout.half_z);
     const float wing = hx - 7.6f;  // the width beside the temple on either side
-    temple(g, {0, -hz - 3.0f, 1, 0, 0, 1});
+    temple(parts, {0, -hz - 3.0f, 1, 0, 0, 1});
     for (float side : {-1.0f, 1.0f}) {
-        if (wing > 3) colonnade(g, {side * (hx + 4.5f - (wing + 4.5f) / 2), -hz - 0.9f, 1, 0, 0, 1}, wing + 4.5f);
-        colonnade(g, {side * (hx + 0.9f), -3.0f, 0, side, -side, 0}, 2 * hz - 4.0f);
+        if (wing > 3) colonnade(parts, {side * (hx + 4.5f - (wing + 4.5f) / 2), -hz - 0.9f, 1, 0, 0, 1}, wing + 4.5f);
+        colonnade(parts, {side * (hx + 0.9f), -3.0f, 0, side, -side, 0}, 2 * hz - 4.0f);
     }
+    parts.end();
     fountain(g, static_cast<float>(layout.fountain[0]), static_cast<float>(layout.fountain[1]),
              static_cast<float>(layout.fountain_radius));
+    parts.end();
     const float rx = static_cast<float>(layout.rostra[0]), rz = static_cast<float>(layout.rostra[1]);
     const float rw = static_cast<float>(layout.rostra_half[0]), rd = static_cast<float>(layout.rostra_half[1]);
     const float top = static_cast<float>(layout.rostra_height);
@@ -219,7 +235,9 @@ void build(Geometry &g, const PlazaLayout &layout, uint64_t seed)
         const float high = 0.225f * static_cast<float>(3 - i), out = 0.3f * static_cast<float>(i + 1);
         g.box({rx - 0.6f, 0, rz + rd}, {rx + 0.6f, high, rz + rd + out}, travertine);
     }
+    parts.end();
     cypresses(g, layout, seed);
+    parts.end();
 }
 
 }  // namespace scenes

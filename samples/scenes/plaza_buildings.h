@@ -1,7 +1,7 @@
 // The buildings on and round the plaza, and its ground.
 #pragma once
 
-#include "samples/scenes/geometry.h"
+#include "samples/scenes/parts.h"
 #include "samples/scenes/plaza_layout.h"
 
 namespace scenes
@@ -14,6 +14,6 @@ void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed);
 void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed);
 
 // Colonnades on three sides, a temple at the back, cypresses behind it, a fountain and the speaker's platform.
-void build(Geometry &stone, const PlazaLayout &layout, uint64_t seed);
+void build(Parts &stone, const PlazaLayout &layout, uint64_t seed);
 
 }  // namespace scenes

@@ -4,6 +4,13 @@
 
 namespace scenes
 {
+namespace
+{
+
+// Triangles of people between two flushes: about as many as GL paints while as many are prepared.
+constexpr uint32_t often = 16384;
+
+}  // namespace
 
 SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : library_(library), options_(options)
 {
@@ -12,6 +19,7 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
     std::string why_not;
     offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
+    if (!options_.flush_triangles) options_.flush_triangles = offscreen_->flushes_cheaply() ? often : 0;
     if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
         throw Failure("this OpenGL context lacks " + why_not);
     scene_ = options.make ? options.make(library, options.crowd_options)
@@ -86,7 +94,7 @@ void SceneRenderer::use_strategy(clq_draw_strategy strategy)
         def.linear_clean = options_.linear_clean;
         def.close_texture_bytes = options_.close_texture_bytes;
         def.close_distance_m = options_.close_distance_m;
-        def.flush_triangles = options_.flush_triangles;
+        def.flush_triangles = *options_.flush_triangles;
         def.flat_triangles = options_.flat_triangles;
         clq_renderer *made = nullptr;
         check(clq_renderer_create(library_.context(), &def, &made));
@@ -113,7 +121,8 @@ clq_camera SceneRenderer::camera_at(double time_s) const
 
 void SceneRenderer::update(double time_s)
 {
-    scene_->place(time_s);
+    const double crowd_s = held_s_.value_or(time_s);
+    scene_->place(crowd_s);
     clq_camera camera = camera_at(time_s);
     // Divided by the distance in front of the eye, which is -z.
     camera.projection[8] -= static_cast<float>(2 * moved_px_[0] / options_.width);
@@ -121,10 +130,10 @@ void SceneRenderer::update(double time_s)
     eye_ = eye_of(camera);
     check(clq_view_set_camera(view_.get(), &camera));
     clq_view *views[] = {view_.get()};
-    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+    check(clq_crowd_update(scene_->crowd(), crowd_s, views, 1));
     if (options_.show != Show::levels) return;
     tint_by_level(scene_->crowd(), scene_->actors());
-    check(clq_crowd_update(scene_->crowd(), time_s, views, 1));
+    check(clq_crowd_update(scene_->crowd(), crowd_s, views, 1));
 }
 
 void SceneRenderer::draw_environment()
@@ -183,8 +192,13 @@ void SceneRenderer::draw_crowd_up_to(DrawPart last)
 void SceneRenderer::frame(double time_s)
 {
     update(time_s);
+    draw_frame();
+}
+
+void SceneRenderer::draw_frame()
+{
     draw_environment();
-    if (options_.flush_triangles != 0) gl_.Flush();
+    if (*options_.flush_triangles != 0) gl_.Flush();
     send_shadows();
     send_crowd();
     draw_show();

@@ -39,10 +39,11 @@ struct SceneOptions {
     bool linear_clean = false;         // clq_renderer_def.linear_clean
     uint64_t close_texture_bytes = 0;  // clq_renderer_def.close_texture_bytes
     float close_distance_m = 0;        // clq_renderer_def.close_distance_m
-    uint32_t flush_triangles = 0;      // clq_renderer_def.flush_triangles; the environment is then flushed too
-    uint32_t flat_triangles = 64;      // clq_renderer_def.flat_triangles
-    bool tells_parts = false;          // needed by draw_crowd_up_to()
-    float cull_scale = 1;              // of the culling frustum, relative to the picture's (S0 Fig. 10)
+    // clq_renderer_def.flush_triangles; the environment is then flushed too. None: what is fast with the context.
+    std::optional<uint32_t> flush_triangles;
+    uint32_t flat_triangles = 64;  // clq_renderer_def.flat_triangles
+    bool tells_parts = false;      // needed by draw_crowd_up_to()
+    float cull_scale = 1;          // of the culling frustum, relative to the picture's (S0 Fig. 10)
     Show show = Show::nothing;
     ShadowChoice shadows;
 };
@@ -63,6 +64,8 @@ public:
 
     // All work without GL: positions of the individuals, and clq_crowd_update.
     void update(double time_s);
+    // From now on everybody stays as at this time, and times move the camera alone.
+    void hold_crowd(double time_s) { held_s_ = time_s; }
     void draw_environment();
     // The shadows of people, if they are claque's. Call it after the environment and before the crowd; it waits for GL
     // as draw_crowd() does.
@@ -76,6 +79,7 @@ public:
     void draw_crowd_up_to(DrawPart last);
     // A whole frame as a host draws it: all of the above, waiting for GL only at the end.
     void frame(double time_s);
+    void draw_frame();  // the same without the update
     // The same, and read; three bytes a pixel, top row first, valid until the next call.
     const std::vector<uint8_t> &picture(double time_s);
     // The mean of `samples` pictures of one time, each moved by its part of a pixel: anti-aliasing without
@@ -123,8 +127,9 @@ private:
     clq_renderer *renderer_ = nullptr;            // one of them
     clq_shadow_def shadows_ = {};                 // if they are claque's
     Eye eye_ = {};
-    double moved_px_[2] = {0, 0};  // of the picture, right and up
-    int x0_ = 0, x1_ = 0;          // the columns that are drawn
+    std::optional<double> held_s_;  // the crowd's time, if it is not that of the camera
+    double moved_px_[2] = {0, 0};   // of the picture, right and up
+    int x0_ = 0, x1_ = 0;           // the columns that are drawn
     std::vector<uint8_t> rgb_;
 };
 

@@ -85,7 +85,7 @@ constexpr float lift = 0.012f;  // metres above the ground, to separate them in 
 
 Image Shadows::picture() { return person_and_blot(); }
 
-void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false); }
+void Shadows::prepare(const Gl &gl) { image_.emplace(gl, picture(), false, Texture::Filter::bilinear); }
 
 void Shadows::cast(const std::vector<clq_transform> &places, Vec3 to_sun, float height_m, float width_m)
 {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samples/scenes/angles.h"
+#include "samples/scenes/distance.h"
 
 namespace scenes
 {
@@ -123,26 +124,14 @@ void Sky::studio()
 
 void Sky::draw(const Gl &g, const Eye &eye, double ground_m) const
 {
-    g.MatrixMode(gl::projection);
-    g.LoadMatrixf(eye.projection);
-    g.MatrixMode(gl::modelview);
     // A sphere of radius 1 could be nearer than the near plane; ten metres is beyond the near plane of all scenes.
-    float far_away[16];
-    for (int i = 0; i < 16; ++i) far_away[i] = i < 12 ? eye.rotation[i] * 10.0f : eye.rotation[i];
-    g.LoadMatrixf(far_away);
-    g.Disable(gl::lighting);
-    g.Disable(gl::depth_test);
-    g.Disable(gl::cull_face);
-    g.Disable(gl::texture_2d);
-    g.DepthMask(0);
+    begin_distance(g, eye, 10);
     const bool all = !hides(ground_m, eye);
     for (int sector = 0; sector < sectors; ++sector) {
         if (all && in_view(below_[sector], eye)) below_[sector].draw(g);
         if (in_view(dome_[sector], eye)) dome_[sector].draw(g);
     }
-    g.DepthMask(1);
-    g.Enable(gl::depth_test);
-    g.DepthFunc(gl::lequal);
+    end_distance(g, eye);
 }
 
 }  // namespace scenes

@@ -14,8 +14,9 @@ public:
     static constexpr Rgb backdrop = {0.72f, 0.74f, 0.76f};  // of the studio, at the horizon
     Sky(uint64_t seed, Land land);
 
-    // Draw this first in a frame: it covers the whole picture and writes no depth. ground_m: the extent from the
-    // centre, each way, of level ground at height 0 that is drawn next; the part of the sky that it hides is left out.
+    // Draw this after all that is opaque: it fills what is still empty of a cleared picture. ground_m: the extent from
+    // the centre, each way, of level ground at height 0 that was drawn; the part of the sky that it hides is left out.
+    // Leaves the view set, lighting on and fog off.
     void draw(const Gl &gl, const Eye &eye, double ground_m = 0) const;
 
 private:

@@ -29,9 +29,12 @@ Texture::Texture(const Gl &g, const Image &image, bool repeats, Filter filter) :
 {
     g.GenTextures(1, &id_);
     g.BindTexture(gl::texture_2d, id_);
-    const bool smooth = filter == Filter::trilinear;
+    const bool smooth = filter != Filter::nearest;
     g.TexParameteri(gl::texture_2d, gl::mag_filter, smooth ? gl::linear : gl::nearest);
-    g.TexParameteri(gl::texture_2d, gl::min_filter, smooth ? gl::linear_mipmap_linear : gl::nearest_mipmap_nearest);
+    g.TexParameteri(gl::texture_2d, gl::min_filter,
+                    filter == Filter::trilinear  ? gl::linear_mipmap_linear
+                    : filter == Filter::bilinear ? gl::linear_mipmap_nearest
+                                                 : gl::nearest_mipmap_nearest);
     g.TexParameteri(gl::texture_2d, gl::wrap_s, repeats ? gl::repeat : gl::clamp);
     g.TexParameteri(gl::texture_2d, gl::wrap_t, repeats ? gl::repeat : gl::clamp);
     g.PixelStorei(gl::unpack_alignment, 1);

@@ -45,7 +45,11 @@ public:
     std::optional<double> shadows_at_m() const override { return std::nullopt; }
 
     void prepare(const Gl &gl) override { building_.prepare(gl); }
-    void draw(const Gl &gl, const Eye &eye) const override { building_.draw(gl, eye); }
+    void draw(const Gl &gl, const Eye &eye) const override
+    {
+        const Frustum cull(eye);
+        building_.draw(gl, eye, &cull);
+    }
 
 private:
     TheatreBuilding building_;

@@ -60,7 +60,7 @@ public:
 
     void draw(const Gl &gl, const Eye &eye) const override
     {
-        const town::Frustum cull(eye, 1);
+        const Frustum cull(eye, 1);
         town_.draw(gl, eye, &cull);
     }
 

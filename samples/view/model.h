@@ -39,7 +39,8 @@ struct Picked {
     uint32_t zone = CLQ_NONE;
 };
 
-// Of one frame. Times are in milliseconds; negative: not measured.
+// Of one frame. Times are in milliseconds; negative: not measured. What GL takes for each part is measured while the
+// panel Frame is open.
 struct FrameCost {
     double at_s = 0;  // of the person's time, not of the scene's
     double place_ms = -1, update_ms = -1, surroundings_ms = -1, crowd_ms = -1;
@@ -113,6 +114,9 @@ struct Model {
 constexpr double history_s = 10;
 
 // What people cost in a frame, apart from their surroundings and the panels.
-inline double people_ms(const FrameCost &cost) { return cost.place_ms + cost.update_ms + cost.crowd_ms; }
+inline double people_ms(const FrameCost &cost)
+{
+    return cost.crowd_ms < 0 ? -1 : cost.place_ms + cost.update_ms + cost.crowd_ms;
+}
 
 }  // namespace view

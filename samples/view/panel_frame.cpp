@@ -62,14 +62,14 @@ void times(Ui &ui, const Model &model)
     ui.plot("people's milliseconds", values, "people, last 10 s, at most " + milliseconds(worst), switch_marks(model));
 }
 
-// The mean over the frames between two times.
+// The mean over the frames between two times, of those that were measured.
 template <class Value>
 double mean(const Model &model, double from_s, double to_s, const Value &value)
 {
     double sum = 0;
     int count = 0;
     for (const FrameCost &one : model.history)
-        if (one.at_s > from_s && one.at_s <= to_s) sum += value(one), ++count;
+        if (one.at_s > from_s && one.at_s <= to_s && value(one) >= 0) sum += value(one), ++count;
     return count > 0 ? sum / count : 0;
 }
 

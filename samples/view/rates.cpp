@@ -10,9 +10,11 @@ namespace view
 namespace
 {
 
-double quantile(std::vector<double> values, double share)
+// null where nothing was measured.
+nlohmann::json quantile(std::vector<double> values, double share)
 {
-    if (values.empty()) return 0;
+    values.erase(std::remove_if(values.begin(), values.end(), [](double value) { return value < 0; }), values.end());
+    if (values.empty()) return nullptr;
     const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
     std::nth_element(values.begin(), at, values.end());
     return *at;

@@ -107,7 +107,7 @@ void Session::frame(const Input &input)
     if (!now_) return;
     world_.finish();
     model_.cost.interface_ms = (closed - last + middle - start) * 1000;
-    model_.cost.interface_gl_ms = (now_() - closed) * 1000;
+    model_.cost.interface_gl_ms = model_.cost.crowd_ms < 0 ? -1 : (now_() - closed) * 1000;
 }
 
 std::string path_text(const View &view)

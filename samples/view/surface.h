@@ -20,6 +20,7 @@ public:
     virtual GetProcAddress get_proc_address() const = 0;
     virtual void *user() const = 0;
     virtual const std::string &name() const = 0;
+    virtual bool flushes_cheaply() const { return true; }  // contexts::Offscreen
 
     // A width and height of pixels from the left side, `below` lines up: three bytes a pixel, top row first.
     virtual void read(int below, int width, int height, std::vector<uint8_t> &out) = 0;

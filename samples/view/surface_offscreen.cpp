@@ -19,6 +19,7 @@ public:
     GetProcAddress get_proc_address() const override { return offscreen_->get_proc_address(); }
     void *user() const override { return offscreen_->user(); }
     const std::string &name() const override { return offscreen_->name(); }
+    bool flushes_cheaply() const override { return offscreen_->flushes_cheaply(); }
     void read(int below, int width, int height, std::vector<uint8_t> &out) override
     {
         if (width == offscreen_->width() && height == offscreen_->height()) return offscreen_->read_rgb(out);

@@ -1,5 +1,6 @@
 // lods: levels of detail in numbers and in a picture.
 #include <map>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
@@ -148,12 +149,13 @@ TEST_F(Lods, BenchDrawsTenThousandCachedInOneDrawByDefault)
     EXPECT_NE(runs_of({"--flat", "0"})[0]["vertices_sent"], usual[0]["vertices_sent"]);
 }
 
-TEST_F(LodsUsage, AreRefusedWhereNoPathComparesThem)
+TEST_F(LodsUsage, AreRefusedWhereNoPathComparesThemAndWhereThereAreNoPeople)
 {
-    for (const char *scene : {"plaza", "multitude"}) {
-        const Outcome outcome = claque({"bench", scene, "--lod", "on"});
+    for (const auto &[scene, lod, word] :
+         {std::tuple("plaza", "off,on", "theatre"), {"multitude", "off,on", "theatre"}, {"growth", "on", "people"}}) {
+        const Outcome outcome = claque({"bench", scene, "--lod", lod});
         EXPECT_NE(outcome.code, 0);
-        EXPECT_NE(outcome.err.find("theatre"), std::string::npos) << outcome.err;
+        EXPECT_NE(outcome.err.find(word), std::string::npos) << outcome.err;
     }
 }
 

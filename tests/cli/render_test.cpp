@@ -113,7 +113,7 @@ TEST_F(Render, ShadowsByClaqueAreAnotherPictureAndSkinNothing)
 TEST_F(Render, BenchComparesKindsOfShadowsInOneRun)
 {
     const Outcome done = claque({"bench", "plaza", "--count", "20", "--frames", "2", "--size", "96x72", "--shadows",
-                                 "none,blob,mesh-stencil", "--json"});
+                                 "none,blob,mesh-stencil", "--lod", "off", "--json"});
     ASSERT_EQ(done.code, 0) << done.err;
     const Json runs = Json::parse(done.out)["runs"];
     ASSERT_EQ(runs.size(), 3u);

@@ -19,10 +19,11 @@ const struct Golden {
     const char *name;
     const char *arguments;
 } goldens[] = {
-    {"plaza", "--scene plaza --count 400 --size 320x240 --time 1.5"},
-    {"plaza-close", "--scene plaza --count 400 --camera close --size 320x240 --time 1.5"},
-    {"odeon", "--scene odeon --size 320x240 --time 1.5"},
-    {"odeon-close", "--scene odeon --camera close --size 320x240 --time 1.5"},
+    // People at their finest: how levels are made may change without changing how they are drawn.
+    {"plaza", "--scene plaza --lod off --count 400 --size 320x240 --time 1.5"},
+    {"plaza-close", "--scene plaza --lod off --count 400 --camera close --size 320x240 --time 1.5"},
+    {"odeon", "--scene odeon --lod off --size 320x240 --time 1.5"},
+    {"odeon-close", "--scene odeon --lod off --camera close --size 320x240 --time 1.5"},
 };
 
 // The name that CTest shows for a case.
@@ -56,9 +57,10 @@ std::string render(const Golden &golden, const char *driver, const std::string &
 }
 
 // With softpipe of the Mesa of mesa.txt no pixel differs. Another rasteriser rounds colours and the edges of triangles
-// differently: of llvmpipe's pictures, 0.02 to 0.45 % of the pixels differ by more than 8.
+// differently, and change mipmaps at other places: of llvmpipe's pictures, up to 1.2 % of the pixels differ by more than
+// 8.
 constexpr int steps_of_another_rasteriser = 8;
-constexpr double share_of_another_rasteriser = 0.01;
+constexpr double share_of_another_rasteriser = 0.015;
 
 void hold(const Golden &golden, const char *driver)
 {

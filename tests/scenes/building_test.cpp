@@ -27,9 +27,9 @@ const Theatre &theatre()
 
 Geometry cavea()
 {
-    Geometry stone;
+    Parts stone;
     build_cavea(stone, theatre(), 1);
-    return stone;
+    return stone.fine;
 }
 
 Geometry stage()

@@ -50,7 +50,12 @@ struct Place {
     Geometry stone;
     Ground ground;
 
-    Place() : ground(ground_of(floor)) { build_cavea(stone, theatre, 1); }
+    Place() : ground(ground_of(floor))
+    {
+        Parts parts;
+        build_cavea(parts, theatre, 1);
+        stone = parts.fine;
+    }
 };
 
 const Place &place()

@@ -90,9 +90,14 @@ struct Scene {
     Theatre theatre = *odeon_scenario().theatre;
     std::vector<Seat> seats = seats_of(theatre);
     std::vector<Sitter> people = seat_people(theatre, seats, 0, 1);
-    Geometry stone;
+    Geometry stone;  // as it is drawn near by
 
-    Scene() { build_cavea(stone, theatre, 1); }
+    Scene()
+    {
+        Parts parts;
+        build_cavea(parts, theatre, 1);
+        stone = parts.fine;
+    }
 };
 
 const Scene &scene()

@@ -79,13 +79,13 @@ void Forum::build_colonnade()
 
 void Forum::draw(const Gl &g, const Eye &eye, Pictures &pictures, const std::vector<clq_transform> &people) const
 {
-    sky_.draw(g, eye);
     set_lights(g, light(), eye);
     g.Enable(gl::depth_test);
     pictures.flagstones_.use();
     ground_.draw(g);
     pictures.plaster_.use();
     stone_.draw(g);
+    sky_.draw(g, eye);
     pictures.shadows_.cast(people, light().to_sun, person_height_m, shadow_width_m);
     pictures.shadows_.draw(g);
 }

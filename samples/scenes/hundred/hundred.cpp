@@ -67,12 +67,13 @@ public:
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
         set_lights(g, morning, eye);
         g.Disable(gl::texture_2d);
         g.Enable(gl::cull_face);
         water_.draw(g);
         rocks_.draw(g);
+        sky_.draw(g, eye);
+        g.Enable(gl::cull_face);
         const hundred::Point own = hundred::Frustum::eye();
         if (eye.position[0] == own.x && eye.position[1] == own.y && eye.position[2] == own.z) return;
         g.Disable(gl::cull_face);

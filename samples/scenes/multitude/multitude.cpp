@@ -96,14 +96,13 @@ public:
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye, ground_m);
         set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
         const bool in_texture = paints_people_ && shade_ && afar(eye);
         if (in_texture) shade_->use();
         worn_.draw(g);
-        g.Disable(gl::texture_2d);
+        sky_.draw(g, eye, ground_m);
         if (paints_people_ && !in_texture) shadows_.draw(g);
     }
 

@@ -25,24 +25,56 @@ struct Corner {
 };
 using Profile = std::vector<Corner>;
 
+// How far a corner is from the line between two others, in metres; shades count too.
+double off(const Corner &c, const Corner &a, const Corner &b)
+{
+    constexpr double shade_m = 0.5;  // as wrong as a shade that is off by 1
+    const double u[3] = {b.radius - a.radius, b.y - a.y, shade_m * (b.shade - a.shade)};
+    const double v[3] = {c.radius - a.radius, c.y - a.y, shade_m * (c.shade - a.shade)};
+    const double uu = u[0] * u[0] + u[1] * u[1] + u[2] * u[2], uv = u[0] * v[0] + u[1] * v[1] + u[2] * v[2];
+    const double t = uu > 0 ? std::clamp(uv / uu, 0.0, 1.0) : 0;
+    return std::hypot(v[0] - t * u[0], v[1] - t * u[1], v[2] - t * u[2]);
+}
+
+// As it looks from afar: without the corners that stand out by less than a few centimetres.
+void keep(const Profile &profile, size_t first, size_t last, Profile &out)
+{
+    constexpr double least_m = 0.07;
+    double worst = least_m;
+    size_t split = 0;
+    for (size_t i = first + 1; i < last; ++i)
+        if (const double by = off(profile[i], profile[first], profile[last]); by > worst) worst = by, split = i;
+    if (split > 0) keep(profile, first, split, out), keep(profile, split, last, out);
+    else out.push_back(profile[last]);
+}
+
+Profile simple(const Profile &profile)
+{
+    Profile out = {profile.front()};
+    keep(profile, 0, profile.size() - 1, out);
+    return out;
+}
+
 class CaveaBuilder
 {
 public:
-    CaveaBuilder(Geometry &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
+    CaveaBuilder(Parts &stone, uint64_t seed) : stone_(stone), seed_(seed) {}
 
     // Sweeps a profile, which runs outwards and upwards like a walk to the last row, in blocks that each have a tone.
-    void sweep(const Profile &profile, double first_deg, double last_deg, double block_m, Rgb colour)
+    enum class Afar { simple, textured };  // textured: what is large and plain enough to show the grain of its stone
+    void sweep(const Profile &profile, double first_deg, double last_deg, double block_m, Rgb colour,
+               Afar afar = Afar::simple)
     {
         const double length = (last_deg - first_deg) * radians * profile.front().radius;
+        const Profile rough = simple(profile);
         const int blocks = std::max(1, static_cast<int>(length / block_m + 0.5));
         const double each = (last_deg - first_deg) / blocks;
         for (int block = 0; block < blocks; ++block) {
             const Rgb tone = colour * static_cast<float>(random_between(seed_, blocks_++, Purpose::slab, 0.93, 1.04));
-            const int steps = std::max(1, static_cast<int>(each / 3.5 + 0.999));
-            for (int step = 0; step < steps; ++step) {
-                const double from = first_deg + each * (block + static_cast<double>(step) / steps);
-                band(profile, from, from + each / steps, tone);
-            }
+            const double from = first_deg + each * block;
+            turn(stone_.fine, profile, from, each, 3.5, tone);
+            if (afar == Afar::simple) turn(stone_.coarse, rough, from, each, 8, tone);
+            stone_.end();
         }
     }
 
@@ -54,9 +86,10 @@ public:
             if (b.radius - a.radius < 1e-6) continue;
             const std::array<Vec3, 4> face = {at(a.radius, foot, at_deg), at(b.radius, foot, at_deg),
                                               at(b.radius, b.y, at_deg), at(a.radius, a.y, at_deg)};
-            if (side < 0) stone_.quad({face[1], face[0], face[3], face[2]}, colour);
-            else stone_.quad(face, colour);
+            if (side < 0) stone_.fine.quad({face[1], face[0], face[3], face[2]}, colour);
+            else stone_.fine.quad(face, colour);
         }
+        stone_.end();
     }
 
     static Vec3 at(double radius, double y, double angle_deg)
@@ -66,12 +99,22 @@ public:
     }
 
 private:
-    void band(const Profile &profile, double from_deg, double to_deg, Rgb colour)
+    // In steps of so many degrees at most.
+    void turn(Geometry &out, const Profile &profile, double from_deg, double by_deg, double step_deg, Rgb tone)
+    {
+        const int steps = std::max(1, static_cast<int>(by_deg / step_deg + 0.999));
+        for (int step = 0; step < steps; ++step) {
+            const double from = from_deg + by_deg * step / steps;
+            band(out, profile, from, from + by_deg / steps, tone);
+        }
+    }
+
+    void band(Geometry &out, const Profile &profile, double from_deg, double to_deg, Rgb colour)
     {
         double along = 0;
         for (size_t i = 0; i + 1 < profile.size(); ++i) {
             const Corner &a = profile[i], &b = profile[i + 1];
-            const double out = b.radius - a.radius, up = b.y - a.y, length = std::sqrt(out * out + up * up);
+            const double back = b.radius - a.radius, up = b.y - a.y, length = std::sqrt(back * back + up * up);
             if (length < 1e-9) continue;
             uint32_t corners[4];
             for (int k = 0; k < 4; ++k) {
@@ -79,26 +122,26 @@ private:
                 const double angle = k == 0 || k == 3 ? from_deg : to_deg;
                 const Vec3 outwards = at(1, 0, angle);
                 const float n = static_cast<float>(-up / length);
-                corners[k] = stone_.add(at(c.radius, c.y, angle),
-                                        {outwards.x * n, static_cast<float>(out / length), outwards.z * n},
-                                        static_cast<float>(angle * radians * profile.front().radius) / plaster_metres,
-                                        static_cast<float>(c.radius + along + (k < 2 ? 0 : up)) / plaster_metres,
-                                        colour * static_cast<float>(c.shade));
+                corners[k] = out.add(at(c.radius, c.y, angle),
+                                     {outwards.x * n, static_cast<float>(back / length), outwards.z * n},
+                                     static_cast<float>(angle * radians * profile.front().radius) / plaster_metres,
+                                     static_cast<float>(c.radius + along + (k < 2 ? 0 : up)) / plaster_metres,
+                                     colour * static_cast<float>(c.shade));
             }
-            stone_.triangle(corners[0], corners[1], corners[2]);
-            stone_.triangle(corners[0], corners[2], corners[3]);
+            out.triangle(corners[0], corners[1], corners[2]);
+            out.triangle(corners[0], corners[2], corners[3]);
             along += up;
         }
     }
 
-    Geometry &stone_;
+    Parts &stone_;
     uint64_t seed_, blocks_ = 0;
 };
 
 class Cavea
 {
 public:
-    Cavea(Geometry &stone, const Theatre &theatre, uint64_t seed) : theatre_(theatre), mason_(stone, seed) {}
+    Cavea(Parts &stone, const Theatre &theatre, uint64_t seed) : theatre_(theatre), mason_(stone, seed) {}
 
     void build()
     {
@@ -204,12 +247,12 @@ private:
                                  {out, top, 1}};
         const Profile back = {{out, top, 1}, {out, 0, 0.7}};
         mason_.sweep(way, last.first_deg, last.last_deg, 1.6, seat_marble * 0.9f);
-        mason_.sweep(face, last.first_deg, last.last_deg, 1.2, wall);
+        mason_.sweep(face, last.first_deg, last.last_deg, 1.2, wall, CaveaBuilder::Afar::textured);
         mason_.sweep(cornice, last.first_deg, last.last_deg, 1.5, seat_marble);
-        mason_.sweep(back, last.first_deg, last.last_deg, 1.6, wall * 0.95f);
+        mason_.sweep(back, last.first_deg, last.last_deg, 1.6, wall * 0.95f, CaveaBuilder::Afar::textured);
         const Profile pilaster = {{in - 0.12, y, 0.7}, {in - 0.12, y + 0.3, 0.95}, {in - 0.12, top - 0.28, 1.05}};
         for (double at = last.first_deg + 2; at < last.last_deg - 1; at += 6) {
-            mason_.sweep(pilaster, at, at + 1.1, 1, seat_marble);
+            mason_.sweep(pilaster, at, at + 1.1, 1, seat_marble, CaveaBuilder::Afar::textured);
             for (const int side : {-1, 1})
                 mason_.end({{in - 0.12, top - 0.28, 1}, {in, top - 0.28, 1}}, side < 0 ? at : at + 1.1, side, y,
                            wall * 0.8f);
@@ -225,6 +268,6 @@ private:
 
 }  // namespace
 
-void build_cavea(Geometry &stone, const Theatre &theatre, uint64_t seed) { Cavea(stone, theatre, seed).build(); }
+void build_cavea(Parts &stone, const Theatre &theatre, uint64_t seed) { Cavea(stone, theatre, seed).build(); }
 
 }  // namespace scenes

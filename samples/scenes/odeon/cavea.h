@@ -2,12 +2,12 @@
 // wall. It is swept round the vertical axis in the theatre's coordinates.
 #pragma once
 
-#include "samples/scenes/geometry.h"
 #include "samples/scenes/odeon/theatre.h"
+#include "samples/scenes/parts.h"
 
 namespace scenes
 {
 
-void build_cavea(Geometry &stone, const Theatre &theatre, uint64_t seed);
+void build_cavea(Parts &stone, const Theatre &theatre, uint64_t seed);
 
 }  // namespace scenes

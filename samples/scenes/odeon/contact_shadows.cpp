@@ -27,22 +27,15 @@ Image blot()
     return image;
 }
 
-}  // namespace
-
-ContactShadows::ContactShadows(const std::vector<Seat> &seats, const std::vector<Sitter> &sitters)
-{
-    for (const Sitter &sitter : sitters) lay(seats[sitter.seat], sitter.scale);
-}
-
-void ContactShadows::lay(const Seat &seat, float scale)
+void lay(Geometry &patches, const Seat &seat, float scale)
 {
     const double out = std::sqrt(seat.x * seat.x + seat.z * seat.z);
     const Vec3 back = {static_cast<float>(seat.x / out), 0, static_cast<float>(seat.z / out)};
     // A point to the right of a viewer who faces the seat, behind its edge, and up, in metres; u and v of the picture.
     const auto corner = [&](float aside, float behind, double y, Vec3 normal, float u, float v, float alpha) {
-        return patches_.add({static_cast<float>(seat.x) + back.x * behind - back.z * aside, static_cast<float>(y),
-                             static_cast<float>(seat.z) + back.z * behind + back.x * aside},
-                            normal, u, v, dark, alpha);
+        return patches.add({static_cast<float>(seat.x) + back.x * behind - back.z * aside, static_cast<float>(y),
+                            static_cast<float>(seat.z) + back.z * behind + back.x * aside},
+                           normal, u, v, dark, alpha);
     };
     const auto flat = [&](float half, float front, float rear, double y, float v0, float v1, float alpha) {
         const Vec3 up = {0, 1, 0};
@@ -50,8 +43,8 @@ void ContactShadows::lay(const Seat &seat, float scale)
         const uint32_t b = corner(half, front, y + lift_m, up, 0.99f, v0, alpha);
         const uint32_t c = corner(half, rear, y + lift_m, up, 0.99f, v1, alpha);
         const uint32_t d = corner(-half, rear, y + lift_m, up, 0.01f, v1, alpha);
-        patches_.triangle(a, b, c);
-        patches_.triangle(a, c, d);
+        patches.triangle(a, b, c);
+        patches.triangle(a, c, d);
     };
     flat(0.46f * scale, 0.0f, 0.72f, seat.y, 0.16f, 0.99f, 0.80f);                         // under hips and thighs
     flat(0.42f * scale, -0.14f - 0.40f * scale, 0.06f, seat.step_y, 0.01f, 0.82f, 0.78f);  // under the feet
@@ -61,13 +54,22 @@ void ContactShadows::lay(const Seat &seat, float scale)
     const uint32_t b = corner(0.42f * scale, 0.042f, seat.step_y, inwards, 0.99f, 0.5f, 0.62f);
     const uint32_t c = corner(0.42f * scale, 0.042f, top, inwards, 0.99f, 0.78f, 0.62f);
     const uint32_t d = corner(-0.42f * scale, 0.042f, top, inwards, 0.01f, 0.78f, 0.62f);
-    patches_.triangle(a, b, c);
-    patches_.triangle(a, c, d);
+    patches.triangle(a, b, c);
+    patches.triangle(a, c, d);
 }
 
-void ContactShadows::prepare(const Gl &gl) { image_.emplace(gl, blot(), false); }
+}  // namespace
 
-void ContactShadows::draw(const Gl &g) const
+ContactShadows::ContactShadows(const std::vector<Seat> &seats, const std::vector<Sitter> &sitters)
+{
+    Geometry patches;
+    for (const Sitter &sitter : sitters) lay(patches, seats[sitter.seat], sitter.scale);
+    patches_ = Blocks(patches, 3);
+}
+
+void ContactShadows::prepare(const Gl &gl) { image_.emplace(gl, blot(), false, Texture::Filter::bilinear); }
+
+void ContactShadows::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
 {
     if (!image_) return;
     image_->use();
@@ -76,7 +78,7 @@ void ContactShadows::draw(const Gl &g) const
     g.Enable(gl::blend);
     g.BlendFunc(gl::src_alpha, gl::one_minus_src_alpha);
     g.DepthMask(0);
-    patches_.draw(g);
+    patches_.draw(g, eye, cull);
     g.DepthMask(1);
     g.Disable(gl::blend);
     g.Disable(gl::texture_2d);

@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "samples/scenes/geometry.h"
+#include "samples/scenes/blocks.h"
 #include "samples/scenes/odeon/seating.h"
 #include "samples/scenes/texture.h"
 
@@ -17,13 +17,12 @@ public:
     ContactShadows(const std::vector<Seat> &seats, const std::vector<Sitter> &sitters);
 
     void prepare(const Gl &gl);
-    // Draws over the current picture, with the view set. Leaves blending off and lighting on.
-    void draw(const Gl &gl) const;
+    // Draws those that meet `cull` (null: all) over the current picture, with the view set. Leaves
+    // blending off and lighting on.
+    void draw(const Gl &gl, const Eye &eye, const Frustum *cull) const;
 
 private:
-    void lay(const Seat &seat, float scale);
-
-    Geometry patches_;
+    Blocks patches_;
     std::optional<Texture> image_;
 };
 

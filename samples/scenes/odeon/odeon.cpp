@@ -40,10 +40,12 @@ public:
         shadows_.prepare(gl);
     }
 
+    void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        building_.draw(g, eye);
-        shadows_.draw(g);
+        const Frustum cull(eye, cull_share_);
+        building_.draw(g, eye, &cull);
+        shadows_.draw(g, eye, &cull);
     }
 
 private:
@@ -64,6 +66,7 @@ private:
     TheatreBuilding building_;
     Audience audience_;
     ContactShadows shadows_;
+    float cull_share_ = 1;
 };
 
 }  // namespace

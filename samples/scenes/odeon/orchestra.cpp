@@ -5,6 +5,7 @@
 
 #include "samples/scenes/angles.h"
 #include "samples/scenes/odeon/opus_sectile.h"
+#include "samples/scenes/stone.h"
 
 namespace scenes
 {
@@ -19,17 +20,19 @@ struct Circle {
 };
 constexpr Circle circles[] = {{0.84, 1.0}, {0.95, 0.96}, {1.0, 0.80}};
 
+Vec3 at(double x, double z) { return {static_cast<float>(x), 0, static_cast<float>(z)}; }
+
 }  // namespace
 
-Orchestra::Orchestra(const Theatre &theatre, uint64_t seed) : seed_(seed)
+Orchestra::Orchestra(const Theatre &theatre, uint64_t seed)
+    : seed_(seed), reach_m_(theatre.orchestra_radius_m + under_podium_m)
 {
-    const double reach = theatre.orchestra_radius_m + under_podium_m;
-    panels_ = std::max(3, static_cast<int>(2 * reach / panel_m) | 1);
+    panels_ = std::max(3, static_cast<int>(2 * reach_m_ / panel_m) | 1);
     const auto point = [&](double part, int side, double shade) {
         const double x = part * std::sin(two_pi * side / sides), z = part * std::cos(two_pi * side / sides);
         const float light = static_cast<float>(shade);
-        return floor_.add({static_cast<float>(x * reach), 0, static_cast<float>(z * reach)}, {0, 1, 0},
-                          static_cast<float>(0.5 + 0.5 * x), static_cast<float>(0.5 + 0.5 * z), {light, light, light});
+        return floor_.add(at(x * reach_m_, z * reach_m_), {0, 1, 0}, static_cast<float>(0.5 + 0.5 * x),
+                          static_cast<float>(0.5 + 0.5 * z), {light, light, light});
     };
     for (int side = 0; side < sides; ++side) {
         const uint32_t middle = point(0, side, 1.0);
@@ -46,15 +49,31 @@ Orchestra::Orchestra(const Theatre &theatre, uint64_t seed) : seed_(seed)
     }
 }
 
+void Orchestra::surround(Geometry &ground, double reach_m, Rgb colour) const
+{
+    const auto point = [&](double radius, int side) {
+        const Vec3 p = at(std::sin(two_pi * side / sides) * radius, std::cos(two_pi * side / sides) * radius);
+        return ground.add(p, {0, 1, 0}, p.x / flagstone_metres, p.z / flagstone_metres, colour);
+    };
+    constexpr int rings = 6;
+    for (int ring = 0; ring < rings; ++ring)
+        for (int side = 0; side < sides; ++side) {
+            const double in = reach_m_ + (reach_m - reach_m_) * ring / rings;
+            const double out = reach_m_ + (reach_m - reach_m_) * (ring + 1) / rings;
+            const uint32_t a = point(in, side), b = point(in, side + 1);
+            const uint32_t c = point(out, side + 1), d = point(out, side);
+            ground.triangle(a, d, c);
+            ground.triangle(a, c, b);
+        }
+}
+
 void Orchestra::prepare(const Gl &gl) { image_.emplace(gl, opus_sectile(seed_, panels_), false); }
 
 void Orchestra::draw(const Gl &g) const
 {
     if (!image_) return;
     image_->use();
-    g.Disable(gl::depth_test);
     floor_.draw(g);
-    g.Enable(gl::depth_test);
 }
 
 }  // namespace scenes

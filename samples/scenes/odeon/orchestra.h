@@ -16,14 +16,17 @@ public:
     Orchestra(const Theatre &theatre, uint64_t seed);
 
     void prepare(const Gl &gl);
-    // Draw this at y = 0 right after the ground and before everything on it. It lies in the ground's plane and neither
-    // tests nor writes depth, so it covers the ground whatever the depth buffer resolves.
+    // At y = 0, where the ground round it leaves room.
     void draw(const Gl &gl) const;
+    // The ground round it, out to a distance from the axis: it begins with the floor's own corners, so that there is
+    // neither a crack nor a tie in depth.
+    void surround(Geometry &ground, double reach_m, Rgb colour) const;
 
     const Geometry &floor() const { return floor_; }
 
 private:
     uint64_t seed_;
+    double reach_m_;
     int panels_;
     Geometry floor_;
     std::optional<Texture> image_;

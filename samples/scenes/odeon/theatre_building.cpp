@@ -10,6 +10,7 @@ namespace scenes
 namespace
 {
 
+constexpr float far_m = 24;  // where a seat's chamfers and the grain of its stone are one pixel
 constexpr Rgb plain_paving = {0.86f, 0.82f, 0.74f};
 
 }  // namespace
@@ -19,14 +20,17 @@ TheatreBuilding::TheatreBuilding(const Scenario &scenario, uint64_t seed)
       theatre_(*scenario.theatre),
       light_(scenario.light.value_or(Daylight())),
       sky_(seed, Sky::Land::hills),
-      orchestra_(theatre_, seed),
-      ground_(flagstone_metres),
-      stone_(plaster_metres)
+      orchestra_(theatre_, seed)
 {
-    build_cavea(stone_, theatre_, seed);
-    build_stage(stone_, theatre_);
-    const float reach = static_cast<float>(theatre_.rows.back().radius_m + theatre_.rows.back().depth_m);
-    ground_.disc(0, 0, 0, reach + 8, 96, scenario.paving.value_or(plain_paving));
+    Parts stone(plaster_metres);
+    build_cavea(stone, theatre_, seed);
+    stone_ = Blocks(stone, 4, {far_m, light_, plaster_mean});
+    Geometry stage(plaster_metres), ground;
+    build_stage(stage, theatre_);
+    stage_ = Blocks(stage, 4);
+    const double reach = theatre_.rows.back().radius_m + theatre_.rows.back().depth_m;
+    orchestra_.surround(ground, reach + 8, scenario.paving.value_or(plain_paving));
+    ground_ = Blocks(ground, 10);
 }
 
 clq_camera TheatreBuilding::overview(double aspect) const
@@ -39,21 +43,22 @@ clq_camera TheatreBuilding::overview(double aspect) const
 
 void TheatreBuilding::prepare(const Gl &gl)
 {
-    flagstones_.emplace(gl, flagstones(seed_), true);
-    plaster_.emplace(gl, plaster(seed_), true);
+    flagstones_.emplace(gl, flagstones(seed_), true, Texture::Filter::bilinear);
+    plaster_.emplace(gl, plaster(seed_), true, Texture::Filter::bilinear);
     orchestra_.prepare(gl);
 }
 
-void TheatreBuilding::draw(const Gl &g, const Eye &eye) const
+void TheatreBuilding::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
 {
-    sky_.draw(g, eye);
     set_lights(g, light_, eye);
     g.Enable(gl::cull_face);
-    flagstones_->use();
-    ground_.draw(g);
-    orchestra_.draw(g);
     plaster_->use();
-    stone_.draw(g);
+    stage_.draw(g, eye, cull);
+    stone_.draw(g, eye, cull);
+    orchestra_.draw(g);
+    flagstones_->use();
+    ground_.draw(g, eye, cull);
+    sky_.draw(g, eye);
 }
 
 }  // namespace scenes

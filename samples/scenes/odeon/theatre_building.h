@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "samples/scenes/blocks.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/odeon/orchestra.h"
 #include "samples/scenes/scenario/scenario.h"
@@ -23,8 +24,8 @@ public:
     // From above the stage, before its wall: all of it.
     clq_camera overview(double aspect) const;
     void prepare(const Gl &gl);
-    // The sky too.
-    void draw(const Gl &gl, const Eye &eye) const;
+    // What meets `cull` (null: all), and the sky.
+    void draw(const Gl &gl, const Eye &eye, const Frustum *cull) const;
 
 private:
     uint64_t seed_;
@@ -32,7 +33,7 @@ private:
     Daylight light_;
     Sky sky_;
     Orchestra orchestra_;
-    Geometry ground_, stone_;
+    Blocks ground_, stone_, stage_;
     std::optional<Texture> flagstones_, plaster_;
 };
 

@@ -60,11 +60,12 @@ public:
 
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
         set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         g.Disable(gl::lighting);  // the ground has its colours as they are
         ground_.draw(g);
+        sky_.draw(g, eye);
+        g.Disable(gl::lighting);
         for (const auto &one : performers_) one->draw_ground(g, eye, time_s_);
     }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "samples/scenes/angles.h"
+#include "samples/scenes/distance.h"
 #include "samples/scenes/town/canvas.h"
 
 namespace scenes::town
@@ -71,18 +72,14 @@ Clouds::Clouds(uint64_t seed) : seed_(seed)
 
 Image Clouds::picture() const { return cloud_picture(seed_); }
 
-void Clouds::prepare(const Gl &gl) { picture_ = std::make_unique<Texture>(gl, picture(), true); }
+void Clouds::prepare(const Gl &gl)
+{
+    picture_ = std::make_unique<Texture>(gl, picture(), true, Texture::Filter::bilinear);
+}
 
 void Clouds::draw(const Gl &g, const Eye &eye) const
 {
-    g.MatrixMode(gl::projection);
-    g.LoadMatrixf(eye.projection);
-    g.MatrixMode(gl::modelview);
-    float far_away[16];  // a hundred metres away: between the near plane and the far one
-    for (int i = 0; i < 16; ++i) far_away[i] = i < 12 ? eye.rotation[i] * 100.0f : eye.rotation[i];
-    g.LoadMatrixf(far_away);
-    for (const unsigned off : {gl::fog, gl::lighting, gl::depth_test, gl::cull_face, gl::texture_2d}) g.Disable(off);
-    g.DepthMask(0);
+    begin_distance(g, eye, 100);  // between the near plane and the far one
     dome_.draw(g);
     if (picture_) {
         picture_->use();
@@ -92,9 +89,7 @@ void Clouds::draw(const Gl &g, const Eye &eye) const
         g.Disable(gl::blend);
         g.Disable(gl::texture_2d);
     }
-    g.DepthMask(1);
-    g.Enable(gl::depth_test);
-    g.DepthFunc(gl::lequal);
+    end_distance(g, eye);
 }
 
 }  // namespace scenes::town

@@ -21,7 +21,8 @@ public:
     const Geometry &dome() const { return dome_; }
     const Geometry &layer() const { return layer_; }
     Image picture() const;
-    // Draw this first in a frame: it covers the whole picture and writes no depth.
+    // Draw this after all that is opaque: it fills what is still empty of a cleared picture. Leaves the view set,
+    // lighting on and fog off.
     void draw(const Gl &gl, const Eye &eye) const;
 
 private:

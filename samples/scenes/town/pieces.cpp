@@ -34,32 +34,6 @@ Sphere sphere_of(const std::vector<Geometry> &layers, const std::vector<Span> &s
 
 }  // namespace
 
-Frustum::Frustum(const Eye &eye, float scale)
-{
-    double m[4][4];  // rows of projection times view
-    for (size_t row = 0; row < 4; ++row)
-        for (size_t column = 0; column < 4; ++column) {
-            m[row][column] = 0;
-            for (size_t k = 0; k < 4; ++k)
-                m[row][column] += static_cast<double>(eye.projection[4 * k + row]) * eye.view[4 * column + k];
-        }
-    for (size_t plane = 0; plane < 6; ++plane) {
-        const size_t axis = plane / 2;
-        const double side = plane % 2 == 0 ? 1 : -1, wide = axis < 2 ? static_cast<double>(scale) : 1.0;
-        double p[4], length = 0;
-        for (size_t k = 0; k < 4; ++k) p[k] = wide * m[3][k] + side * m[axis][k];
-        for (size_t k = 0; k < 3; ++k) length += p[k] * p[k];
-        for (size_t k = 0; k < 4; ++k) planes_[plane][k] = static_cast<float>(p[k] / std::sqrt(length));
-    }
-}
-
-bool Frustum::meets(const Sphere &s) const
-{
-    for (const std::array<float, 4> &p : planes_)
-        if (p[0] * s.centre.x + p[1] * s.centre.y + p[2] * s.centre.z + p[3] < -s.radius) return false;
-    return true;
-}
-
 Pieces::Pieces(const std::array<float, surface_kind_count> &texture_metres)
 {
     for (const float metres : texture_metres) layers_.emplace_back(metres);
@@ -93,13 +67,19 @@ size_t Pieces::triangles() const
 size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const
 {
     for (std::vector<uint32_t> &indices : choice) indices.clear();
-    for (const Piece &piece : pieces_) {
-        if (cull && !cull->meets(piece.sphere)) continue;
-        const Vec3 &c = piece.sphere.centre;
-        const double x = static_cast<double>(c.x) - eye[0], y = static_cast<double>(c.y) - eye[1];
-        const double z = static_cast<double>(c.z) - eye[2], near = static_cast<double>(near_m + piece.sphere.radius);
-        const Visibility hidden = x * x + y * y + z * z < near * near ? Visibility::far : Visibility::near;
-        for (const Span &span : piece.spans) {
+    std::vector<std::pair<double, uint32_t>> order;  // the nearest first, so that GL paints few pixels twice
+    for (uint32_t i = 0; i < pieces_.size(); ++i) {
+        const Sphere &sphere = pieces_[i].sphere;
+        if (cull && !cull->meets(sphere)) continue;
+        const double x = static_cast<double>(sphere.centre.x) - eye[0],
+                     y = static_cast<double>(sphere.centre.y) - eye[1];
+        const double z = static_cast<double>(sphere.centre.z) - eye[2];
+        order.emplace_back(std::sqrt(x * x + y * y + z * z) - static_cast<double>(sphere.radius), i);
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto &[distance, i] : order) {
+        const Visibility hidden = distance < static_cast<double>(near_m) ? Visibility::far : Visibility::near;
+        for (const Span &span : pieces_[i].spans) {
             if (span.seen == hidden) continue;
             const size_t layer = static_cast<size_t>(span.layer);
             const auto first = layers_[layer].indices().begin() + span.first;
@@ -113,19 +93,7 @@ size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choic
 
 void Pieces::draw(const Gl &g, SurfaceKind layer, const Choice &choice) const
 {
-    const std::vector<uint32_t> &indices = choice[static_cast<size_t>(layer)];
-    if (indices.empty()) return;
-    constexpr int stride = sizeof(SceneryVertex);
-    const SceneryVertex *v = on(layer).vertices().data();
-    for (const unsigned array : {gl::vertex_array, gl::normal_array, gl::color_array, gl::texcoord_array})
-        g.EnableClientState(array);
-    g.VertexPointer(3, gl::float_type, stride, &v->position);
-    g.NormalPointer(gl::float_type, stride, &v->normal);
-    g.TexCoordPointer(2, gl::float_type, stride, &v->u);
-    g.ColorPointer(4, gl::unsigned_byte, stride, v->rgba);
-    g.DrawElements(gl::triangles, static_cast<int>(indices.size()), gl::unsigned_int, indices.data());
-    for (const unsigned array : {gl::vertex_array, gl::normal_array, gl::color_array, gl::texcoord_array})
-        g.DisableClientState(array);
+    on(layer).draw(g, choice[static_cast<size_t>(layer)]);
 }
 
 }  // namespace scenes::town

@@ -5,32 +5,15 @@
 #include <array>
 #include <cstddef>
 
-#include "samples/scenes/eye.h"
+#include "samples/scenes/frustum.h"
 #include "samples/scenes/geometry.h"
 
 namespace scenes::town
 {
 
-// In drawing order: the ground first, then its coverings, then the objects on it.
+// The ground first, then its coverings, then the objects on it.
 enum class SurfaceKind : uint8_t { land, furrows, paving, cobbles, water, shade, stone, facades, tiles, leaves };
 constexpr size_t surface_kind_count = 10;
-
-struct Sphere {
-    Vec3 centre;
-    float radius;
-};
-
-// Six planes that face inwards.
-class Frustum
-{
-public:
-    // The frustum of the eye's picture; scale < 1: of a centred part of it, smaller by this factor each way.
-    explicit Frustum(const Eye &eye, float scale = 1);
-    bool meets(const Sphere &sphere) const;
-
-private:
-    std::array<std::array<float, 4>, 6> planes_;  // normal of length 1, and the distance of the origin
-};
 
 // Distances at which a piece shows: always, or only near (fine detail), or only far (its replacement).
 enum class Visibility : uint8_t { always, near, far };

@@ -12,6 +12,10 @@ namespace
 constexpr std::array<float, surface_kind_count> texture_metres = {
     land_metres, furrows_metres, flagstone_metres, cobbles_metres, water_metres, 1, plaster_metres,
     3,           tiles_metres,   leaves_metres};
+// What stands hides the ground, so it comes first; shadows are blended over the ground.
+constexpr std::array<SurfaceKind, surface_kind_count> drawing_order = {
+    SurfaceKind::tiles,   SurfaceKind::facades, SurfaceKind::stone, SurfaceKind::leaves,  SurfaceKind::paving,
+    SurfaceKind::cobbles, SurfaceKind::land,    SurfaceKind::water, SurfaceKind::furrows, SurfaceKind::shade};
 constexpr float haze_per_m = 0.00030f;
 
 void throw_shadow(SunShadows &shadows, const House &h, const Terrain &terrain)
@@ -93,16 +97,15 @@ void Town::prepare(const Gl &gl)
     for (size_t i = 0; i < surface_kind_count; ++i) {
         const SurfaceKind layer = static_cast<SurfaceKind>(i);
         if (layer == SurfaceKind::shade) continue;
-        pictures_[i] = std::make_unique<Texture>(gl, picture(layer), layer != SurfaceKind::facades);
-        // Two mipmaps a pixel take 1.5 times as long on software GL, and show little on grass and tiles.
-        gl.TexParameteri(gl::texture_2d, gl::min_filter, gl::linear_mipmap_nearest);
+        pictures_[i] =
+            std::make_unique<Texture>(gl, picture(layer), layer != SurfaceKind::facades,
+                                      Texture::Filter::bilinear);  // two mipmaps show little on grass and tiles
     }
     sky_.prepare(gl);
 }
 
 size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
 {
-    sky_.draw(g, eye);
     set_lights(g, light(), eye);
     const float haze[4] = {Clouds::haze.r, Clouds::haze.g, Clouds::haze.b, 1};
     g.Fogfv(gl::fog_color, haze);
@@ -111,8 +114,8 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
     g.Enable(gl::fog);
     g.Enable(gl::cull_face);
     const size_t sent = pieces_.choose(cull, eye.position, chosen_);
-    for (size_t i = 0; i < surface_kind_count; ++i) {
-        const SurfaceKind layer = static_cast<SurfaceKind>(i);
+    for (const SurfaceKind layer : drawing_order) {
+        const size_t i = static_cast<size_t>(layer);
         if (layer == SurfaceKind::shade) {
             g.Disable(gl::texture_2d);
             g.Disable(gl::lighting);
@@ -129,6 +132,8 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
         g.Disable(gl::blend);
         g.Enable(gl::lighting);
     }
+    sky_.draw(g, eye);
+    g.Enable(gl::fog);
     g.Disable(gl::texture_2d);
     return sent;
 }

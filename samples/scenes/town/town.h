@@ -37,7 +37,7 @@ public:
 
     // Loads textures into the current context, which must be current again when the town is destroyed.
     void prepare(const Gl &gl);
-    // Draws the sky, then the pieces that meet `cull` (null: all), in a cleared picture. Leaves the view, the lights
+    // Draws the pieces that meet `cull` (null: all), then the sky, in a cleared picture. Leaves the view, the lights
     // and the haze on for the objects drawn next. Returns the number of triangles sent.
     size_t draw(const Gl &gl, const Eye &eye, const Frustum *cull = nullptr) const;
 

@@ -51,7 +51,7 @@ public:
     void prepare(const Gl &gl) override { town_.prepare(gl); }
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
-        const town::Frustum cull(eye, cull_share_);
+        const Frustum cull(eye, cull_share_);
         town_.draw(gl, eye, &cull);
     }
     void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
@@ -73,7 +73,9 @@ private:
 
 std::unique_ptr<Scene> make_town_sky(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<TownSky>(library, crowd_options);
+    CrowdOptions coarse = crowd_options;
+    coarse.lod_scale *= 1.5f;  // a flyer's limbs become one piece where it is a dozen pixels high
+    return std::make_unique<TownSky>(library, coarse);
 }
 
 }  // namespace scenes

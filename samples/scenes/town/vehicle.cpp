@@ -59,7 +59,7 @@ public:
 
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
-        const town::Frustum cull(eye, cull_share_);
+        const Frustum cull(eye, cull_share_);
         town_.draw(gl, eye, &cull);
         shade(gl);
         gl.Enable(gl::cull_face);
@@ -75,7 +75,7 @@ public:
     void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
 
 private:
-    static town::Sphere in_world(const town::Sphere &s, const town::VehiclePose &at)
+    static Sphere in_world(const Sphere &s, const town::VehiclePose &at)
     {
         const auto axis = [&](size_t i) {
             return static_cast<float>(at.position[i] + static_cast<double>(s.centre.x) * at.right_hand_x[i] +

@@ -20,15 +20,16 @@ void Plain::prepare(const Gl &gl)
 
 void Plain::draw(const Gl &g, const Eye &eye) const
 {
-    sky_.draw(g, eye);
     set_lights(g, light_, eye);
-    g.Disable(gl::texture_2d);
-    ground_.around.draw(g);
-    flagstones_->use();
-    ground_.paving.draw(g);
     g.Enable(gl::cull_face);
     plaster_->use();
     ground_.walls.draw(g);
+    g.Disable(gl::cull_face);
+    flagstones_->use();
+    ground_.paving.draw(g);
+    g.Disable(gl::texture_2d);
+    ground_.around.draw(g);
+    sky_.draw(g, eye);
 }
 
 double far_of(const Plan &plan) { return 400 + 6 * std::max(plan.half_x, plan.half_z); }

@@ -39,10 +39,10 @@ public:
     void prepare(const Gl &) override {}
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
         set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
+        sky_.draw(g, eye);
     }
 
 private:
