@@ -14,7 +14,7 @@ using charts::Ink;
 using charts::Line;
 using charts::Paint;
 
-constexpr double max_height_px = 900, step_s = 0.2;
+constexpr double max_height_px = 900, plot_step_s = 0.2;
 constexpr size_t max_points = 200000;  // of all paths: a drawing that browsers still show
 
 // Metres of the file to pixels: north is up.
@@ -48,7 +48,7 @@ void add_given(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scal
 
 void add_shown(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scale, double seconds)
 {
-    const double step = std::max(step_s, seconds / max_points);
+    const double step = std::max(plot_step_s, seconds / max_points);
     for (size_t p = 0; p < tracks.people.size(); ++p) {
         const scenes::walkers::Person &person = tracks.people[p];
         const Paint paint = charts::series(1 + p % (charts::series_colours - 1));
