@@ -11,7 +11,10 @@ namespace
 
 constexpr gl::Enum alpha = 0x1906, alpha8 = 0x803C;
 
-int32_t wrapping_of(model::Wrap wrap) { return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat); }
+int32_t wrapping_of(model::Wrap wrap)
+{
+    return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat);
+}
 
 // Sets that show the same image share a texture.
 uint32_t image_of(const model::Texture &texture, uint32_t set) { return texture.set_images.empty() ? 0 : set; }

@@ -111,7 +111,8 @@ private:
         const uint32_t row = item.actor_index;
         const model::Level &level = item.tmpl->levels[item.level];
         posed_[index].emplace(*item.tmpl, &crowd.context->memory);
-        posed_[index]->pose(crowd.crowd, row, level, crowd.frame.mechanism_levels(row), time_s, item.eye_distance_m);
+        posed_[index]->pose(crowd.crowd, row, level, crowd.frame.mechanism_levels(crowd.crowd, row, level), time_s,
+                            item.eye_distance_m);
         const crowd::Transform root = frame::root_at(crowd.crowd, row, time_s);
         const math::EyeTransform at =
             math::eye_transform(turn, eye, root.position, root.orientation, double(root.scale));

@@ -26,10 +26,12 @@ public:
     bool root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &out) const;
     const Settings &settings() const { return work_.settings; }
     double last_time_s() const { return work_.last_time_s; }  // of the last update; 0 before the first
-    // The mechanism levels of a row that the last update saw.
-    behave::MechanismLevels mechanism_levels(uint32_t row) const
+    // The mechanism levels of a row that the last update saw, at the distance that it had there. They are chosen anew,
+    // because the host may have attached other mechanisms since. `level`: of its template.
+    behave::MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, const model::Level &level) const
     {
-        return work_.candidates[work_.rows[row].candidate].levels;
+        const float distance_m = work_.candidates[work_.rows[row].candidate].effective_distance_m;
+        return behave::mechanism_levels(crowd, row, distance_m, level);
     }
     // What an item of a list of the last update shows. Rows may have other individuals by now.
     const animcache::Request &request_of(const draw::Item &item) const { return work_.caches.requests()[item.request]; }

@@ -15,7 +15,7 @@ void node_world_matrix(const crowd::Crowd &crowd, const Frame &frame, uint32_t r
     const double tick_s = !shown ? time_s : visibility.visible ? visibility.shown_s : frame.last_time_s();
     const model::Level &level = tmpl.levels[seen ? visibility.level : 0];
     const behave::MechanismLevels levels =
-        seen ? frame.mechanism_levels(row) : behave::mechanism_levels(crowd, row, 0, level);
+        seen ? frame.mechanism_levels(crowd, row, level) : behave::mechanism_levels(crowd, row, 0, level);
     PosedAt posed(tmpl, crowd.memory());
     posed.pose(crowd, row, level, levels, tick_s, visibility.distance * frame.settings().caches.metres_per_unit);
 

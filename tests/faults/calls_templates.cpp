@@ -83,6 +83,8 @@ void add_facts(std::vector<Call> &all)
             return CLQ_OK;
         },
         inside);
+    all.push_back({"clq_template_get_node_name",
+                   [](W w) { return *clq_template_get_node_name(one(w), 0) ? CLQ_OK : CLQ_LIMIT; }, quiet});
     all.push_back({"clq_template_get_texture_set_name",
                    [](W w) { return *clq_template_get_texture_set_name(one(w), 0) ? CLQ_LIMIT : CLQ_OK; }, quiet});
     all.push_back({"clq_template_find_clip", [](W w) { return found(clq_template_find_clip(one(w), "bend")); }, quiet});

@@ -57,8 +57,8 @@ std::string render(const Golden &golden, const char *driver, const std::string &
 }
 
 // With softpipe of the Mesa of mesa.txt no pixel differs. Another rasteriser rounds colours and the edges of triangles
-// differently, and change mipmaps at other places: of llvmpipe's pictures, up to 1.2 % of the pixels differ by more than
-// 8.
+// differently, and changes mipmaps at other places: up to 1.2 % of the pixels of llvmpipe's pictures differ by more
+// than 8.
 constexpr int steps_of_another_rasteriser = 8;
 constexpr double share_of_another_rasteriser = 0.015;
 

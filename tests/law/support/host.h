@@ -16,6 +16,7 @@ class CountingMemory : public std::pmr::memory_resource
 public:
     void refuse_nth(uint64_t n) { refuse_in_ = n; }  // 0: refuse nothing
     void refuse_all(bool refuse) { refuse_all_ = refuse; }
+    void refuse_from(std::size_t bytes) { refuse_from_ = bytes; }  // in one piece; 0: refuse nothing
     uint64_t allocations() const { return allocations_; }
     int64_t bytes() const { return bytes_; }
     bool refused() const { return refused_; }
@@ -25,7 +26,7 @@ private:
     void *do_allocate(std::size_t bytes, std::size_t alignment) override
     {
         ++allocations_;
-        if (refuse_all_ || (refuse_in_ && --refuse_in_ == 0)) {
+        if (refuse_all_ || (refuse_from_ != 0 && bytes >= refuse_from_) || (refuse_in_ && --refuse_in_ == 0)) {
             refused_ = true;
             throw std::bad_alloc();
         }
@@ -40,6 +41,7 @@ private:
     bool do_is_equal(const std::pmr::memory_resource &other) const noexcept override { return this == &other; }
 
     uint64_t allocations_ = 0, refuse_in_ = 0;
+    std::size_t refuse_from_ = 0;
     int64_t bytes_ = 0;
     bool refused_ = false, refuse_all_ = false;
 };
