@@ -96,9 +96,10 @@ public:
         crowd->context->jobs.try_each(static_cast<uint32_t>(moved_.size()), [&](uint32_t i) {
             const draw::Item &item = view->view.list.items[i];
             const uint32_t row = item.actor_index;
-            if (!checked.shows(i) || row >= crowd->crowd.row_count() ||
+            if (!checked.shows(i) || row >= crowd->crowd.row_count() || !crowd->crowd.alive(row) ||
                 crowd->crowd.actor(row).generation != item.generation || !is_present(crowd->crowd, row, time_s))
                 return;
+            if (&crowd->crowd.template_of(row) != item.tmpl) return;  // another one, of a crowd that was restored
             place(*crowd, item, turn, camera.eye, time_s, i);
         });
     }
@@ -111,8 +112,11 @@ private:
         const uint32_t row = item.actor_index;
         const model::Level &level = item.tmpl->levels[item.level];
         posed_[index].emplace(*item.tmpl, &crowd.context->memory);
-        posed_[index]->pose(crowd.crowd, row, level, crowd.frame.mechanism_levels(crowd.crowd, row, level), time_s,
-                            item.eye_distance_m);
+        const behave::MechanismLevels levels =
+            crowd.frame.visibility(crowd.crowd, row).visible
+                ? crowd.frame.mechanism_levels(crowd.crowd, row, level)
+                : behave::mechanism_levels(crowd.crowd, row, item.eye_distance_m, level);
+        posed_[index]->pose(crowd.crowd, row, level, levels, time_s, item.eye_distance_m);
         const crowd::Transform root = frame::root_at(crowd.crowd, row, time_s);
         const math::EyeTransform at =
             math::eye_transform(turn, eye, root.position, root.orientation, double(root.scale));

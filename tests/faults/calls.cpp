@@ -24,7 +24,7 @@ const std::set<std::string> allocate = {
     "clq_actor_play_root_path", "clq_actor_follow_track",  "clq_crowd_randomise_colours",
     "clq_crowd_release_tracks", "clq_group_create",        "clq_view_create",
     "clq_scene_create",         "clq_scene_update",        "clq_scene_set_categories",
-    "clq_scene_set_keys"};
+    "clq_scene_set_keys",       "clq_view_get_pixels",     "clq_view_get_flow"};
 // Made below, with arguments that reach more.
 const std::set<std::string> here = {
     "clq_crowd_restore",          "clq_actor_end_layer",       "clq_actor_set_gait_share",
