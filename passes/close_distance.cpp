@@ -7,6 +7,7 @@
 
 #include "passes/close_image.h"
 #include "passes/close_samples.h"
+#include "passes/uv_row.h"
 
 namespace claque::passes
 {

@@ -6,6 +6,7 @@
 #include "lib/base/hash.h"
 #include "lib/base/reserve.h"
 #include "passes/close_image.h"
+#include "passes/guard.h"
 #include "passes/list_drawer.h"
 
 namespace claque::passes

@@ -42,7 +42,7 @@ public:
 
     visibility::Picture picture() const
     {
-        return {pixels_, view_->view.list, numbers_, {vertices_.data(), vertices_.size()}};
+        return {pixels_, view_->view.list, numbers_, {vertices_.data(), static_cast<uint32_t>(vertices_.size())}};
     }
     bool shows(uint32_t item) const { return shown_[item] != 0; }
 
@@ -103,7 +103,7 @@ public:
             place(*crowd, item, turn, camera.eye, time_s, i);
         });
     }
-    base::Span<const visibility::Moved> moved() const { return {moved_.data(), moved_.size()}; }
+    base::Span<const visibility::Moved> moved() const { return {moved_.data(), static_cast<uint32_t>(moved_.size())}; }
 
 private:
     void place(const clq_crowd &crowd, const draw::Item &item, const glm::dmat3 &turn, const glm::dvec3 &eye,

@@ -6,6 +6,7 @@
 #include "lib/api/boundary.h"
 #include "lib/record/crowd_def.h"
 #include "lib/record/locomotion_fields.h"
+#include "lib/track/track_file.h"
 
 namespace claque::api
 {

@@ -1,6 +1,7 @@
 // Restores a crowd's state from bytes. Every rule of edits.h holds afterwards, whatever the bytes are.
 #include "lib/crowd/restore.h"
 
+#include "lib/crowd/edits.h"
 #include "lib/crowd/rows.h"
 #include "lib/crowd/save_check.h"
 

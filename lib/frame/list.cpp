@@ -8,35 +8,35 @@
 namespace claque::frame
 {
 
-draw::Item ListView::item_of(const SortEntry &listed) const
+draw::Item ListView::item_of(const SortEntry &entry) const
 {
     const crowd::Crowd &crowd = given.crowd;
     const CameraState &eye = given.eyes[view_index];
-    const animcache::Request &request = caches.requests()[listed.candidate];
-    const crowd::Transform &transform = candidates[listed.candidate].root;
-    const ViewVisibility &visibility = visibilities.at(view_index, listed.candidate);
+    const animcache::Request &request = caches.requests()[entry.candidate];
+    const crowd::Transform &transform = candidates[entry.candidate].root;
+    const ViewVisibility &visibility = visibilities.at(view_index, entry.candidate);
     draw::Item item;
-    item.tmpl = &crowd.template_of(listed.row);
+    item.tmpl = &crowd.template_of(entry.row);
     item.level = request.level;
-    item.actor_index = listed.row;
-    item.texture_set = listed.texture_set;
-    item.generation = crowd.actor(listed.row).generation;
-    item.request = listed.candidate;
+    item.actor_index = entry.row;
+    item.texture_set = entry.texture_set;
+    item.generation = crowd.actor(entry.row).generation;
+    item.request = entry.candidate;
     item.parts = visibility.parts;
     item.shadow_only = visibility.shadow_only;
     item.locals = caches.locals_of(request);
     if (!item.locals) item.vertices = caches.vertices_of(request);
     item.pose = caches.pose_of(request);
-    item.zone_rgb = crowd.zone_rgb(listed.row);
+    item.zone_rgb = crowd.zone_rgb(entry.row);
     math::store_matrix(math::eye_transform(eye.world_to_eye, eye.eye, transform.position, transform.orientation,
                                            double(transform.scale)),
                        item.model_view);
-    item.eye_distance_m = listed.distance * given.settings.caches.metres_per_unit;
+    item.eye_distance_m = entry.distance * given.settings.caches.metres_per_unit;
     item.mirrored = transform.scale < 0;
-    const bool placed = crowd.follows().of(listed.row) && !crowd.behaviours().has_root_path_play(listed.row);
-    const glm::dvec3 ground = placed || follows_ground(crowd, listed.row)
+    const bool placed = crowd.follows().of(entry.row) && !crowd.behaviours().has_root_path_play(entry.row);
+    const glm::dvec3 ground = placed || follows_ground(crowd, entry.row)
                                   ? transform.position
-                                  : crowd::reference_position_of(crowd, listed.row, given.time_s);
+                                  : crowd::reference_position_of(crowd, entry.row, given.time_s);
     for (int k = 0; k < 3; ++k) item.ground[k] = ground[k];
     return item;
 }

@@ -11,6 +11,7 @@
 
 #include "lib/lod/proxies/non_manifold_collapse.h"
 #include "lib/lod/surface/mesh.h"
+#include "lib/model/template.h"
 
 namespace claque::lod
 {
