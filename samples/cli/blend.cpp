@@ -11,8 +11,8 @@
 #include "samples/cli/files.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/picture_style.h"
-#include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -95,10 +95,10 @@ void blend(const BlendArguments &a)
     portraits.make_room(0.05, 0.12);
     draw_rows(board, portraits, rows, a);
     if (a.out == "-") return write_whole(a.out, board.rgb().data(), board.rgb().size());
-    const std::vector<unsigned char> file = png(board.rgb().data(), a.width, a.height,
-                                                {{"Software", "claque " + version()},
-                                                 {"Description", "Blends of clips of " + a.file},
-                                                 {"Source", portraits.context_name()}});
+    const std::vector<unsigned char> file = io::png(board.rgb().data(), a.width, a.height,
+                                                    {{"Software", "claque " + version()},
+                                                     {"Description", "Blends of clips of " + a.file},
+                                                     {"Source", portraits.context_name()}});
     write_whole(a.out, file.data(), file.size());
     for (size_t i = 0; i < rows.size(); ++i) print_row(library, tmpl, i + 1, rows[i]);
 }

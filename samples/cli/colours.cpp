@@ -6,8 +6,8 @@
 #include "samples/cli/colour_pictures.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 #include "samples/scenes/scenario/scenario.h"
 
 namespace cli
@@ -112,8 +112,8 @@ void draw(const MapArguments &a, Draw picture, const std::string &about)
     const ColourPicture drawn = picture(library, map.get(), a.each, a.seed, a.width, a.height);
     if (a.out == "-") return write_whole(a.out, drawn.board.rgb().data(), drawn.board.rgb().size());
     const std::vector<unsigned char> file =
-        png(drawn.board.rgb().data(), a.width, a.height,
-            {{"Software", "claque " + version()}, {"Description", about}, {"Source", drawn.context}});
+        io::png(drawn.board.rgb().data(), a.width, a.height,
+                {{"Software", "claque " + version()}, {"Description", about}, {"Source", drawn.context}});
     write_whole(a.out, file.data(), file.size());
 }
 

@@ -5,7 +5,7 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/npy.h"
+#include "samples/io/npy.h"
 
 namespace cli
 {
@@ -47,7 +47,7 @@ void dump(const DumpArguments &a)
     std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
     scenes::check(clq_asset_get_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()),
                   a.file);
-    const std::string bytes = npy(xyz, 3);
+    const std::string bytes = io::npy("<f4", {xyz.size() / 3, 3}, xyz);
     write_whole(a.out, bytes);
 }
 

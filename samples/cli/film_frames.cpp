@@ -1,6 +1,6 @@
 #include "samples/cli/film_frames.h"
 
-#include "samples/cli/png.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -22,7 +22,7 @@ std::vector<Frame> planned_frames(const RenderArguments &a, const scenes::SceneO
 bool is_finished(const RenderArguments &a, const Frame &frame)
 {
     return frame.number >= 0 && !a.again && frame.path != "-" &&
-           is_whole_png(frame.path, a.setup.width, a.setup.height);
+           io::is_whole_png(frame.path, a.setup.width, a.setup.height);
 }
 
 }  // namespace cli

@@ -2,8 +2,8 @@
 
 #include <cstdio>
 
-#include "samples/cli/png.h"
 #include "samples/cli/stopwatch.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -82,11 +82,11 @@ std::vector<unsigned char> frame_bytes(const Frame &frame, const uint8_t *rgb, c
     if (frame.path == "-") return {rgb, rgb + size};
     char time[32];
     std::snprintf(time, sizeof time, "%.6g", frame.time_s);
-    return png(rgb, options.width, options.height,
-               {{"Software", "claque " + version()},
-                {"Description", options.scene + ", " + std::to_string(subject.count) + " individuals, seed " +
-                                    std::to_string(options.crowd_options.seed) + ", time " + time + " s"},
-                {"Source", subject.context}});
+    return io::png(rgb, options.width, options.height,
+                   {{"Software", "claque " + version()},
+                    {"Description", options.scene + ", " + std::to_string(subject.count) + " individuals, seed " +
+                                        std::to_string(options.crowd_options.seed) + ", time " + time + " s"},
+                    {"Source", subject.context}});
 }
 
 Json frame_report(const Frame &frame)

@@ -11,10 +11,10 @@
 #include "samples/cli/letters.h"
 #include "samples/cli/levels_table.h"
 #include "samples/cli/picture_style.h"
-#include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/stopwatch.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -85,10 +85,10 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
         portraits.resize(small_wide, small_tall);
         board.paste(x, y + line_px + 4, small_wide, small_tall, portraits.picture(0));
     }
-    const std::vector<unsigned char> file = png(board.rgb().data(), a.width, a.height,
-                                                {{"Software", "claque " + version()},
-                                                 {"Description", "Levels of detail of " + a.file},
-                                                 {"Source", portraits.context_name()}});
+    const std::vector<unsigned char> file = io::png(board.rgb().data(), a.width, a.height,
+                                                    {{"Software", "claque " + version()},
+                                                     {"Description", "Levels of detail of " + a.file},
+                                                     {"Source", portraits.context_name()}});
     write_whole(a.out, file.data(), file.size());
 }
 

@@ -6,7 +6,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/parity.h"
-#include "samples/cli/png.h"
+#include "samples/io/png.h"
 #include "samples/parity/flip.h"
 #include "samples/parity/pictures.h"
 #include "samples/parity/report.h"
@@ -24,7 +24,7 @@ struct CompareArguments {
 
 parity::Figure figure(const char *title, const std::string &caption, const parity::Picture &p)
 {
-    return {title, caption, png(p.rgb.data(), p.width, p.height, {{"Title", title}})};
+    return {title, caption, io::png(p.rgb.data(), p.width, p.height, {{"Title", title}})};
 }
 
 std::vector<parity::Figure> figures(const parity::Report &r)

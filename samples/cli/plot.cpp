@@ -8,8 +8,8 @@
 #include "samples/charts/lines.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/io/json.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -59,7 +59,7 @@ void write_chart(const std::string &path, const charts::Drawing &drawing)
     if (extension_of(path) != ".png") return write_whole(path, svg_of(drawing));
     const charts::Pixels pixels = pixels_of(drawing, pixels_per_px);
     const std::vector<unsigned char> file =
-        png(pixels.rgb.data(), pixels.width, pixels.height, {{"Title", drawing.title}});
+        io::png(pixels.rgb.data(), pixels.width, pixels.height, {{"Title", drawing.title}});
     write_whole(path, file.data(), file.size());
 }
 

@@ -7,8 +7,8 @@
 
 #include "samples/cli/gltf_writer.h"
 #include "samples/cli/joint_map.h"
-#include "samples/cli/png.h"
 #include "samples/cli/reader_parts.h"
+#include "samples/io/png.h"
 #include "samples/scenes/scenario/scenario.h"
 
 namespace cli
@@ -205,13 +205,13 @@ std::string gltf_of(const std::vector<unsigned char> &picture)
 std::string with_pixels(uint32_t count)
 {
     const uint32_t rows = std::max(count / 100, 1u), columns = std::max(count / rows, 1u);
-    return gltf_of(png(pixels_of(columns, rows).data(), int(columns), int(rows), {}));
+    return gltf_of(io::png(pixels_of(columns, rows).data(), int(columns), int(rows), {}));
 }
 
 std::string with_chunks(uint32_t count)
 {
-    const Words words(count, {"Comment", "x"});
-    return gltf_of(png(pixels_of(8, 8).data(), 8, 8, words));
+    const io::Words words(count, {"Comment", "x"});
+    return gltf_of(io::png(pixels_of(8, 8).data(), 8, 8, words));
 }
 
 // The texels of a map of one image; its zones alternate.

@@ -5,9 +5,9 @@
 #include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -56,10 +56,10 @@ private:
     std::vector<uint8_t> rgb_;
 };
 
-void write(const Sheet &sheet, const std::string &path, const Words &words)
+void write(const Sheet &sheet, const std::string &path, const io::Words &words)
 {
     if (path == "-") return write_whole(path, sheet.rgb().data(), sheet.rgb().size());
-    const std::vector<unsigned char> file = png(sheet.rgb().data(), sheet.width(), sheet.height(), words);
+    const std::vector<unsigned char> file = io::png(sheet.rgb().data(), sheet.width(), sheet.height(), words);
     write_whole(path, file.data(), file.size());
 }
 

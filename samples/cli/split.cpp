@@ -5,8 +5,8 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -27,8 +27,8 @@ void write_picture(const clq_template *tmpl, const SplitArguments &a)
     picture.pixels = rgb.data(), picture.capacity_bytes = rgb.size();
     scenes::check(clq_template_get_split_picture(tmpl, a.texture, a.scale, &picture), a.file);
     const std::vector<unsigned char> file =
-        png(rgb.data(), static_cast<int>(picture.width_px), static_cast<int>(picture.height_px),
-            {{"Software", "claque " + version()}});
+        io::png(rgb.data(), static_cast<int>(picture.width_px), static_cast<int>(picture.height_px),
+                {{"Software", "claque " + version()}});
     write_whole(a.picture, file.data(), file.size());
 }
 

@@ -1,11 +1,11 @@
 #include <optional>
 
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/run_record.h"
 #include "samples/cli/stage_work.h"
 #include "samples/cli/stopwatch.h"
+#include "samples/io/png.h"
 #include "samples/stage/staged_scene.h"
 
 namespace cli
@@ -20,7 +20,7 @@ void write_picture(const StageArguments &a, scenes::SceneRenderer &renderer, int
     renderer.draw_crowd();
     const std::vector<uint8_t> &rgb = renderer.read();
     const std::vector<unsigned char> file =
-        png(rgb.data(), a.setup.width, a.setup.height, {{"Software", "claque " + version()}});
+        io::png(rgb.data(), a.setup.width, a.setup.height, {{"Software", "claque " + version()}});
     write_whole(frame_path(a.out, frame), file.data(), file.size());
 }
 

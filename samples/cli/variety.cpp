@@ -8,9 +8,9 @@
 #include "samples/cli/files.h"
 #include "samples/cli/letters.h"
 #include "samples/cli/picture_style.h"
-#include "samples/cli/png.h"
 #include "samples/cli/portraits.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 #include "samples/scenes/colours.h"
 
 namespace cli
@@ -211,10 +211,10 @@ void draw_variety(const VarietyArguments &a)
     if (a.out == "-") return write_whole(a.out, board.rgb().data(), board.rgb().size());
     const std::string name = info_of(tmpl).name;
     const std::vector<unsigned char> file =
-        png(board.rgb().data(), a.width, a.height,
-            {{"Software", "claque " + version()},
-             {"Description", "Colourings of one template: " + (name.empty() ? a.file : name)},
-             {"Source", portraits.context_name()}});
+        io::png(board.rgb().data(), a.width, a.height,
+                {{"Software", "claque " + version()},
+                 {"Description", "Colourings of one template: " + (name.empty() ? a.file : name)},
+                 {"Source", portraits.context_name()}});
     write_whole(a.out, file.data(), file.size());
 }
 

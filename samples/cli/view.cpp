@@ -5,9 +5,9 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/view_open.h"
+#include "samples/io/png.h"
 
 namespace cli
 {
@@ -50,7 +50,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     if (!a.script.empty()) request.script = text_of(a.script);
     request.save_picture = [](const std::string &path, const std::vector<uint8_t> &rgb, int width, int height) {
         const std::vector<unsigned char> file =
-            png(rgb.data(), width, height, {{"Software", "claque " + version()}, {"Description", "claque view"}});
+            io::png(rgb.data(), width, height, {{"Software", "claque " + version()}, {"Description", "claque view"}});
         write_whole(path, file.data(), file.size());
     };
     request.save_text = [](const std::string &path, const std::string &text) { write_whole(path, text); };

@@ -8,8 +8,8 @@
 #include <map>
 
 #include "samples/cli/files.h"
-#include "samples/cli/png.h"
 #include "samples/cli/scene_arguments.h"
+#include "samples/io/png.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/zone_inks.h"
 
@@ -125,8 +125,8 @@ void write_map(const clq_asset *asset, const ZoneArguments &a, const Zones &zone
         rgb.insert(rgb.end(), ink.begin(), ink.end());
     }
     const std::vector<unsigned char> file =
-        png(rgb.data(), static_cast<int>(image.width_px), static_cast<int>(image.height_px),
-            {{"Software", "claque " + version()}});
+        io::png(rgb.data(), static_cast<int>(image.width_px), static_cast<int>(image.height_px),
+                {{"Software", "claque " + version()}});
     write_whole(a.map, file.data(), file.size());
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 
-#include "samples/labels/images.h"
+#include "samples/io/npy.h"
+#include "samples/io/png.h"
 #include "samples/labels/npz.h"
 #include "samples/labels/sheet.h"
 #include "samples/scenes/check.h"
@@ -31,7 +31,7 @@ std::string panoptic(const Sample &sample)
     for (const uint32_t actor : sample.actor)
         rgb.insert(rgb.end(),
                    {static_cast<uint8_t>(actor), static_cast<uint8_t>(actor >> 8), static_cast<uint8_t>(actor >> 16)});
-    return text_of(png8(rgb, sample.width, sample.height, 3));
+    return text_of(io::quick_png(rgb, sample.width, sample.height, 3));
 }
 
 // KITTI's flow: 64ths of a pixel about 2^15, and whether there is any.
@@ -45,7 +45,7 @@ std::string kitti_flow(const Sample &sample, const std::vector<float> &flow)
         values.insert(values.end(), {static_cast<uint16_t>(valid ? u : 0), static_cast<uint16_t>(valid ? v : 0),
                                      static_cast<uint16_t>(valid ? 1 : 0)});
     }
-    return text_of(png16(values, sample.width, sample.height, 3));
+    return text_of(io::quick_png(values, sample.width, sample.height, 3));
 }
 
 // Middlebury's flow; unknown: above 10^9.
@@ -68,7 +68,7 @@ std::string depth(const Sample &sample)
         values.push_back(
             std::isnan(d) ? 0
                           : static_cast<uint16_t>(std::clamp(std::round(256 * static_cast<double>(d)), 1.0, 65535.0)));
-    return text_of(png16(values, sample.width, sample.height, 1));
+    return text_of(io::quick_png(values, sample.width, sample.height, 1));
 }
 
 std::string normals(const Sample &sample)
@@ -76,7 +76,7 @@ std::string normals(const Sample &sample)
     std::vector<uint8_t> values;
     for (const float n : sample.normal)
         values.push_back(std::isnan(n) ? 0 : static_cast<uint8_t>(std::lround(127.5 * (static_cast<double>(n) + 1))));
-    return text_of(png8(values, sample.width, sample.height, 3));
+    return text_of(io::quick_png(values, sample.width, sample.height, 3));
 }
 
 // People per pixel: a Gaussian round each head that is in the picture, whose sum is 1 also at the border.
@@ -107,7 +107,7 @@ std::string archive(const Sample &sample)
 {
     std::vector<std::pair<std::string, std::string>> arrays;
     const auto add = [&](const char *name, const char *type, const auto &values, size_t per_pixel) {
-        if (!values.empty()) arrays.emplace_back(name, npy(type, shape_of(sample, per_pixel), values));
+        if (!values.empty()) arrays.emplace_back(name, io::npy(type, shape_of(sample, per_pixel), values));
     };
     add("rgb", "|u1", sample.rgb, 3), add("actor", "<u4", sample.actor, 1), add("zone", "<u2", sample.zone, 1);
     add("part", "<u2", sample.part, 1), add("depth_m", "<f4", sample.depth_m, 1);
@@ -125,30 +125,6 @@ std::string number_of(int frame)
     return text;
 }
 
-const std::vector<std::string> &format_names()
-{
-    static const std::vector<std::string> all = {"coco",    "panoptic", "mot",   "kitti-flow", "flo",  "depth",
-                                                 "normals", "boxes3d",  "heads", "npz",        "sheet"};
-    return all;
-}
-
-std::set<std::string> read_formats(const std::string &text)
-{
-    std::set<std::string> out;
-    for (size_t from = 0; from <= text.size();) {
-        const size_t comma = std::min(text.find(',', from), text.size());
-        const std::string name = text.substr(from, comma - from);
-        from = comma + 1;
-        if (std::find(format_names().begin(), format_names().end(), name) == format_names().end()) {
-            std::string all;
-            for (const std::string &one : format_names()) all += (all.empty() ? "" : ", ") + one;
-            throw scenes::Failure("there is no format '" + name + "' of labels; there are " + all);
-        }
-        out.insert(name);
-    }
-    return out;
-}
-
 std::vector<FrameFile> frame_files(const Sample &sample, const std::set<std::string> &formats)
 {
     std::vector<FrameFile> out;
@@ -157,16 +133,17 @@ std::vector<FrameFile> frame_files(const Sample &sample, const std::set<std::str
         if (formats.count(format) != 0) out.push_back({path, make()});
     };
     if (!sample.rgb.empty())
-        out.push_back({"images/" + number + ".png", text_of(png8(sample.rgb, sample.width, sample.height, 3))});
+        out.push_back(
+            {"images/" + number + ".png", text_of(io::quick_png(sample.rgb, sample.width, sample.height, 3))});
     add("panoptic", "panoptic/" + number + ".png", [&] { return panoptic(sample); });
     add("kitti-flow", "flow_forward/" + number + ".png", [&] { return kitti_flow(sample, sample.forward); });
     add("kitti-flow", "flow_backward/" + number + ".png", [&] { return kitti_flow(sample, sample.backward); });
     add("flo", "flow_forward/" + number + ".flo", [&] { return flo(sample, sample.forward); });
     add("flo", "flow_backward/" + number + ".flo", [&] { return flo(sample, sample.backward); });
     add("depth", "depth/" + number + ".png", [&] { return depth(sample); });
-    add("depth", "depth/" + number + ".npy", [&] { return npy("<f4", shape_of(sample, 1), sample.depth_m); });
+    add("depth", "depth/" + number + ".npy", [&] { return io::npy("<f4", shape_of(sample, 1), sample.depth_m); });
     add("normals", "normals/" + number + ".png", [&] { return normals(sample); });
-    add("heads", "density/" + number + ".npy", [&] { return npy("<f4", shape_of(sample, 1), density(sample)); });
+    add("heads", "density/" + number + ".npy", [&] { return io::npy("<f4", shape_of(sample, 1), density(sample)); });
     add("npz", "arrays/" + number + ".npz", [&] { return archive(sample); });
     add("sheet", "sheets/" + number + ".png", [&] { return text_of(sheet(sample)); });
     return out;

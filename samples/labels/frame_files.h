@@ -9,7 +9,7 @@ namespace labels
 
 std::vector<FrameFile> frame_files(const Sample &sample, const std::set<std::string> &formats);
 
-// The zone and the actor of a pixel in one number, for panoptic pictures.
-std::string number_of(int frame);  // "000012"
+// As names of files have it: "000012".
+std::string number_of(int frame);
 
 }  // namespace labels

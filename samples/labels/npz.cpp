@@ -31,20 +31,6 @@ std::string common(const Entry &entry)
 
 }  // namespace
 
-std::string npy(const std::string &type, const std::vector<size_t> &shape, const void *bytes, size_t size_bytes)
-{
-    constexpr size_t before_text = 10, alignment = 64;
-    std::string text = "{'descr': '" + type + "', 'fortran_order': False, 'shape': (";
-    for (const size_t one : shape) text += std::to_string(one) + ", ";
-    text += "), }";
-    text.append(alignment - (before_text + text.size() + 1) % alignment, ' ');
-    text += '\n';
-    std::string file("\x93NUMPY\x01\x00", 8);
-    add(file, static_cast<uint32_t>(text.size()), 2);
-    file += text;
-    return file.append(static_cast<const char *>(bytes), size_bytes);
-}
-
 std::string npz(const std::vector<std::pair<std::string, std::string>> &arrays)
 {
     std::string file, directory;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-#include "samples/labels/images.h"
+#include "samples/io/png.h"
 
 namespace labels
 {
@@ -58,7 +58,7 @@ public:
                 if (px >= 0 && py >= 0 && px < sample_.width && py < sample_.height) set(column, row, px, py, colour);
             }
     }
-    std::vector<unsigned char> png() const { return png8(rgb_, width_, 2 * sample_.height, 3); }
+    std::vector<unsigned char> png() const { return io::quick_png(rgb_, width_, 2 * sample_.height, 3); }
 
 private:
     void set(int column, int row, int x, int y, const Rgb &colour)

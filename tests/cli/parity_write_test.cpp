@@ -48,7 +48,7 @@ TEST_F(ParityWrite, ASceneHasWhatThePagePromises)
     EXPECT_EQ(json["templates"][0]["name"], "citizen");
     EXPECT_EQ(json["lighting"]["lights"].size(), 2u);
     const std::string atlas = file_text(path("scene") + "/atlas.npy");
-    EXPECT_NE(atlas.find("'shape': (1, 1024, 256, 3, )"), std::string::npos);
+    EXPECT_NE(atlas.find("'shape': (1, 1024, 256, 3)"), std::string::npos);
     EXPECT_EQ(file_text(path("scene") + "/scene.glb").substr(0, 4), "glTF");
 }
 

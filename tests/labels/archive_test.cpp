@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include "samples/io/npy.h"
 #include "samples/labels/npz.h"
 #include "samples/parity/npy.h"
 
@@ -45,8 +46,7 @@ TEST(Archive, HoldsArraysThatNumPysFormatDescribes)
 {
     const std::vector<float> values = {1, 2.5f, -3, 4, 5, 6};
     const std::vector<uint16_t> small = {7, 8};
-    const std::string archive =
-        labels::npz({{"a", labels::npy("<f4", {2, 3}, values)}, {"b", labels::npy("<u2", {2}, small)}});
+    const std::string archive = labels::npz({{"a", io::npy("<f4", {2, 3}, values)}, {"b", io::npy("<u2", {2}, small)}});
     const std::map<std::string, std::string> files = files_in(archive);
     ASSERT_EQ(files.size(), 2u);
     const auto array = [&](const char *name, const char *type) {
@@ -62,7 +62,7 @@ TEST(Archive, HoldsArraysThatNumPysFormatDescribes)
 
 TEST(Archive, IsTheSameForTheSameArrays)
 {
-    const auto made = [] { return labels::npz({{"a", labels::npy("<u2", {1}, std::vector<uint16_t>{3})}}); };
+    const auto made = [] { return labels::npz({{"a", io::npy("<u2", {1}, std::vector<uint16_t>{3})}}); };
     EXPECT_EQ(made(), made());
 }
 

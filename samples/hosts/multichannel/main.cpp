@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "samples/cli/png.h"
 #include "samples/hosts/multichannel/room.h"
+#include "samples/io/png.h"
 
 namespace
 {
@@ -17,7 +17,7 @@ constexpr int width = 512, height = 384;
 
 void write(const std::string &path, const std::vector<uint8_t> &rgb, int picture_width)
 {
-    const std::vector<unsigned char> file = cli::png(rgb.data(), picture_width, height, {});
+    const std::vector<unsigned char> file = io::png(rgb.data(), picture_width, height, {});
     std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
     if (!out.flush()) throw scenes::Failure(path + " could not be written");

@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <fstream>
 
-#include "samples/cli/png.h"
 #include "samples/hosts/osg/application.h"
+#include "samples/io/png.h"
 
 namespace
 {
@@ -17,7 +17,7 @@ constexpr double time_s = 2, forced_share = 0.6;
 
 void write(const std::string &path, const std::vector<uint8_t> &rgb)
 {
-    const std::vector<unsigned char> file = cli::png(rgb.data(), width, height, {});
+    const std::vector<unsigned char> file = io::png(rgb.data(), width, height, {});
     std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
     if (!out.flush()) throw scenes::Failure(path + " could not be written");

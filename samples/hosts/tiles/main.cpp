@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "samples/cli/png.h"
 #include "samples/hosts/tiles/tiled_picture.h"
+#include "samples/io/png.h"
 
 namespace
 {
@@ -34,7 +34,7 @@ void run(const std::string &path, int processes)
     size_t other = 0;
     for (size_t i = 0; i < alone.size(); i += 3) other += !std::equal(&alone[i], &alone[i] + 3, &shared[i]);
     std::printf("%zu of %zu pixels differ\n", other, alone.size() / 3);
-    const std::vector<unsigned char> file = cli::png(shared.data() + (pictures - 1) * size, width, height, {});
+    const std::vector<unsigned char> file = io::png(shared.data() + (pictures - 1) * size, width, height, {});
     std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
     if (!out.flush()) throw std::runtime_error(path + " could not be written");

@@ -3,13 +3,13 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "samples/io/files.h"
+#include "samples/io/npy.h"
 #include "samples/scenes/check.h"
 
 namespace parity
@@ -20,31 +20,6 @@ namespace
 constexpr const char *all_names[] = {
     "capture.json",      "scene.glb",     "actors.npy",  "sizes.npy",  "model_view.npy", "atlas.npy", "palettes.npy",
     "morph_weights.npy", "positions.npy", "normals.npy", "colour.npy", "depth.npy",      "actor.npy", "zone.npy"};
-
-std::string npy_header(const char *type, const Shape &shape)
-{
-    constexpr size_t before_text = 10, alignment = 64;  // magic, version, length; values begin at a multiple
-    std::string sides;
-    for (const size_t side : shape) sides += std::to_string(side) + ", ";
-    std::string text = "{'descr': '" + std::string(type) + "', 'fortran_order': False, 'shape': (" + sides + "), }";
-    text.append(alignment - (before_text + text.size() + 1) % alignment, ' ');
-    text += '\n';
-    std::string head("\x93NUMPY\x01\x00", 8);
-    head += static_cast<char>(text.size() & 255);
-    head += static_cast<char>(text.size() >> 8);
-    return head + text;
-}
-
-template <class Value>
-std::string npy(const char *type, const std::vector<Value> &values, const Shape &shape)
-{
-    std::string file = npy_header(type, shape);
-    const size_t head = file.size();
-    file.resize(head + values.size() * sizeof(Value));
-    // The machines that samples run on are little-endian, as the arrays are.
-    if (!values.empty()) std::memcpy(&file[head], values.data(), values.size() * sizeof(Value));
-    return file;
-}
 
 // The folder that `path` leads to, by links as well.
 std::string place_of(std::string path)
@@ -144,25 +119,25 @@ void Folder::complete()
 
 void Folder::array(const std::string &name, const std::vector<float> &values, const Shape &shape)
 {
-    const std::string file = npy("<f4", values, shape);
+    const std::string file = io::npy("<f4", shape, values);
     write(name, file.data(), file.size());
 }
 
 void Folder::array(const std::string &name, const std::vector<uint32_t> &values, const Shape &shape)
 {
-    const std::string file = npy("<u4", values, shape);
+    const std::string file = io::npy("<u4", shape, values);
     write(name, file.data(), file.size());
 }
 
 void Folder::array(const std::string &name, const std::vector<uint16_t> &values, const Shape &shape)
 {
-    const std::string file = npy("<u2", values, shape);
+    const std::string file = io::npy("<u2", shape, values);
     write(name, file.data(), file.size());
 }
 
 void Folder::array(const std::string &name, const std::vector<uint8_t> &values, const Shape &shape)
 {
-    const std::string file = npy("|u1", values, shape);
+    const std::string file = io::npy("|u1", shape, values);
     write(name, file.data(), file.size());
 }
 

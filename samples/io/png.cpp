@@ -1,0 +1,108 @@
+#include "samples/io/png.h"
+
+#include <csetjmp>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+
+#include <png.h>
+
+namespace io
+{
+namespace
+{
+
+void append(png_structp writer, png_bytep bytes, size_t size_bytes)
+{
+    auto &file = *static_cast<std::vector<unsigned char> *>(png_get_io_ptr(writer));
+    file.insert(file.end(), bytes, bytes + size_bytes);
+}
+
+struct Rows {
+    const unsigned char *bytes;
+    int width, height, channels, bits, level;  // of compression
+};
+
+// libpng leaves by longjmp, so no object here has a destructor.
+bool encode(png_structp writer, png_infop info, const Rows &rows, png_textp texts, int count)
+{
+    if (setjmp(png_jmpbuf(writer))) return false;
+    png_set_IHDR(writer, info, static_cast<png_uint_32>(rows.width), static_cast<png_uint_32>(rows.height), rows.bits,
+                 rows.channels == 3 ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_compression_level(writer, rows.level);
+    png_set_text(writer, info, texts, count);
+    png_write_info(writer, info);
+    const size_t row_bytes = static_cast<size_t>(rows.bits / 8 * rows.channels) * static_cast<size_t>(rows.width);
+    for (int y = 0; y < rows.height; ++y) png_write_row(writer, rows.bytes + row_bytes * static_cast<size_t>(y));
+    png_write_end(writer, info);
+    return true;
+}
+
+std::vector<unsigned char> written(const Rows &rows, const Words &words)
+{
+    std::vector<unsigned char> file;
+    std::vector<png_text> texts;
+    for (const auto &[key, value] : words) {
+        png_text text = {};
+        text.compression = PNG_TEXT_COMPRESSION_NONE;
+        text.key = const_cast<char *>(key.c_str());
+        text.text = const_cast<char *>(value.c_str());
+        text.text_length = value.size();
+        texts.push_back(text);
+    }
+    png_structp writer =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, nullptr, nullptr, [](png_structp, const char *) {});
+    png_infop info = writer ? png_create_info_struct(writer) : nullptr;
+    bool done = false;
+    if (info) {
+        png_set_write_fn(writer, &file, append, nullptr);
+        done = encode(writer, info, rows, texts.data(), static_cast<int>(texts.size()));
+    }
+    png_destroy_write_struct(&writer, &info);
+    if (!done) throw std::runtime_error("libpng could not encode the picture");
+    return file;
+}
+
+uint32_t big_endian(const unsigned char *p)
+{
+    return static_cast<uint32_t>(p[0]) << 24 | static_cast<uint32_t>(p[1]) << 16 | static_cast<uint32_t>(p[2]) << 8 |
+           p[3];
+}
+
+}  // namespace
+
+std::vector<unsigned char> png(const uint8_t *rgb, int width, int height, const Words &words)
+{
+    return written({rgb, width, height, 3, 8, 6}, words);
+}
+
+std::vector<unsigned char> quick_png(const std::vector<uint8_t> &values, int width, int height, int channels)
+{
+    return written({values.data(), width, height, channels, 8, 3}, {});
+}
+
+std::vector<unsigned char> quick_png(const std::vector<uint16_t> &values, int width, int height, int channels)
+{
+    std::vector<unsigned char> bytes;  // big-endian
+    bytes.reserve(2 * values.size());
+    for (const uint16_t value : values) {
+        bytes.push_back(static_cast<unsigned char>(value >> 8));
+        bytes.push_back(static_cast<unsigned char>(value));
+    }
+    return written({bytes.data(), width, height, channels, 16, 3}, {});
+}
+
+bool is_whole_png(const std::string &path, int width, int height)
+{
+    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    unsigned char head[24], tail[12];
+    if (!file || std::fread(head, 1, sizeof head, file.get()) != sizeof head) return false;
+    if (std::fseek(file.get(), -12, SEEK_END) != 0 || std::fread(tail, 1, sizeof tail, file.get()) != sizeof tail)
+        return false;
+    return png_sig_cmp(head, 0, 8) == 0 && big_endian(head + 16) == static_cast<uint32_t>(width) &&
+           big_endian(head + 20) == static_cast<uint32_t>(height) && std::memcmp(tail + 4, "IEND", 4) == 0;
+}
+
+}  // namespace io
