@@ -54,7 +54,7 @@ void CloseTextures::find_wishes(const Array<PreparedTemplate> &templates, const 
     std::sort(wishes_.begin(), wishes_.end());
 }
 
-// The nearest first, up to the first one for whom the budget has no room. So none is left out who is nearer than one
+// The nearest first, up to the first one that the budget has no room for. So none is left out that is nearer than one
 // that is chosen, whatever the sizes of their textures.
 void CloseTextures::choose(const Array<PreparedTemplate> &templates, const draw::DrawList &list)
 {

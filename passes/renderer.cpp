@@ -174,7 +174,7 @@ base::Status Renderer::draw_checked(const draw::DrawList &list, DrawStats &stats
     status = ListDrawer(gl_, preflight_, options_, templates_, close_, scratch_, list, stats).draw();
     if (!status.ok() || left_out == 0) return status;
     return base::Status::bad(CLQ_OUT_OF_MEMORY,
-                             "GL has no memory for %u textures of single individuals, who are drawn with those of "
+                             "GL has no memory for %u textures of single individuals; they are drawn with those of "
                              "their templates",
                              left_out);
 }

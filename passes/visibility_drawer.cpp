@@ -13,14 +13,6 @@ namespace
 
 constexpr gl::Enum fog = 0x0B60, dither = 0x0BD0;
 
-void store_position(const draw::Vertices &from, uint32_t vertex, float *out)
-{
-    for (size_t k = 0; k < 3; ++k)
-        out[k] = from.packed()
-                     ? from.offset[k] + from.step * static_cast<float>(from.short_positions[4 * size_t(vertex) + k])
-                     : from.positions[3 * size_t(vertex) + k];
-}
-
 }  // namespace
 
 void VisibilityArrays::reserve()
@@ -28,6 +20,7 @@ void VisibilityArrays::reserve()
     positions.resize(3 * max_corners);
     uvs.resize(2 * max_corners);
     colours.resize(4 * max_corners);
+    if (indices.size() == max_corners) return;
     indices.resize(max_corners);
     for (uint32_t i = 0; i < max_corners; ++i) indices[i] = static_cast<uint16_t>(i);
 }
@@ -59,7 +52,7 @@ base::Status VisibilityDrawer::draw(bool has_multisample)
         const uint64_t own = number;
         number += draw::triangle_count(item.tmpl->levels[item.level]);
         if (!shows(item) || (options_.drawn && options_.drawn[i] == 0)) continue;
-        const draw::Vertices vertices = item.vertices.any() ? item.vertices : options_.vertices_of(options_.user, item);
+        const draw::Vertices vertices = item.vertices.any() ? item.vertices : options_.placed_by_gl->vertices_of(item);
         if (vertices.any()) draw_item(item, vertices, own);
         else if (first.ok())
             first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices", item.actor_index + 1);
@@ -110,7 +103,8 @@ void VisibilityDrawer::add(const model::Level &level, const draw::Vertices &vert
                              static_cast<uint8_t>(bits >> 16), 255};
     for (uint32_t k = 0; k < 3; ++k, ++corners_) {
         const uint32_t vertex = level.indices[first_index + k];
-        store_position(vertices, vertex, &arrays_.positions[3 * size_t(corners_)]);
+        const glm::vec3 position = vertices.position(vertex);
+        std::copy_n(&position.x, 3, &arrays_.positions[3 * size_t(corners_)]);
         std::copy(rgba, rgba + 4, &arrays_.colours[4 * size_t(corners_)]);
         if (has_holes_) std::copy_n(&level.uvs[2 * size_t(vertex)], 2, &arrays_.uvs[2 * size_t(corners_)]);
     }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/draw/triangle_numbers.h"
+#include "lib/draw/vertex_source.h"
 #include "passes/hole_textures.h"
 #include "passes/options.h"
 
@@ -12,9 +13,7 @@ struct VisibilityOptions {
     uint32_t first_number = 1;
     bool upper_bits = false;         // colours hold the bits above the lower 24
     const uint8_t *drawn = nullptr;  // [items] 0: left out; null: all are drawn
-    // The vertices of an item that GL's matrix stack places, or none for lack of memory. Valid until the next call.
-    draw::Vertices (*vertices_of)(void *user, const draw::Item &item) = nullptr;
-    void *user = nullptr;
+    draw::VertexSource *placed_by_gl = nullptr;
 };
 
 // Corners of triangles, three vertices of their own each.

@@ -86,7 +86,7 @@ typedef struct clq_renderer_def {
      * their zones on the CPU. It is filtered GL_LINEAR with a full mip chain, and drawn with one call per surface,
      * without dirty triangles, and without an alpha test but for holes. This is the budget in bytes of GL memory, four
      * a texel with all mip levels; 0 (default): off.
-     * The nearest individuals of a view get one, up to the first for whom the budget has no room. Others are drawn by
+     * The nearest individuals of a view get one, up to the first that the budget has no room for. Others are drawn by
      * the strategy: those farther away than close_distance_m, in batches, or with hooks; and those with a texture
      * larger than the budget, or whose triangles come within half a texel of an edge that clamps.
      * A draw makes what its view lacks before it draws anything, so the picture follows from the view alone and not

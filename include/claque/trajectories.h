@@ -120,7 +120,7 @@ typedef struct clq_trajectories_info {
     uint64_t sample_count;
     uint64_t row_count;  /* rows of positions in the file, also those that were left out */
     double min_s, max_s; /* times of the first and the last sample */
-    double step_s;       /* the usual time between two samples of a person; 0: nobody has two */
+    double step_s;       /* the usual time between two samples of a person; 0: no person has two */
     double box_min_m[3], box_max_m[3];
     uint32_t most_at_once; /* people between their first and last sample at one time */
     double most_at_once_s; /* the first such time */

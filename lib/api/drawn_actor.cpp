@@ -2,11 +2,9 @@
 #include <claque/drawn_actor.h>
 
 #include <algorithm>
-#include <optional>
 
-#include "animcache/inspect.h"
 #include "lib/api/boundary.h"
-#include "lib/api/crowd_handle.h"
+#include "lib/api/inspected.h"
 
 using namespace claque;
 
@@ -26,22 +24,10 @@ void require_room(uint32_t capacity, size_t wanted, const char *what)
     if (capacity < wanted) base::fail(CLQ_ARGUMENT, "room for %u %s, of which there are %zu", capacity, what, wanted);
 }
 
-// The request of the last update.
-const animcache::Request &request_of(const clq_view *view, const draw::Item &item)
+// The draw list has no pose for parts that GL's matrix stack places.
+draw::Pose pose_of(api::Inspected &inspected, const draw::Item &item)
 {
-    return view->crowd->frame.request_of(item);
-}
-
-animcache::Inspection &inspect(std::optional<animcache::Inspection> &made, const clq_view *view, const draw::Item &item)
-{
-    if (!item.vertices.any() && !item.locals) throw std::bad_alloc();  // left out by the update
-    return made.emplace(&view->crowd->context->memory, *item.tmpl, view->crowd->frame.settings().caches.vertex_format);
-}
-
-// The pose of the last update. The draw list has none for parts that GL's matrix stack places.
-draw::Pose pose_of(std::optional<animcache::Inspection> &made, const clq_view *view, const draw::Item &item)
-{
-    const draw::Pose pose = item.pose.palette ? item.pose : inspect(made, view, item).pose(request_of(view, item));
+    const draw::Pose pose = inspected.pose(item);
     if (!pose.palette)
         base::fail(CLQ_ARGUMENT, "actor %u shows two key-poses blended, vertex by vertex: it has no palette",
                    item.actor_index + 1);
@@ -50,24 +36,7 @@ draw::Pose pose_of(std::optional<animcache::Inspection> &made, const clq_view *v
 
 uint8_t byte_of(float colour) { return static_cast<uint8_t>(std::clamp(colour, 0.0f, 1.0f) * 255.0f + 0.5f); }
 
-void copy_positions(const draw::Vertices &from, uint32_t count, float *out)
-{
-    if (!from.packed()) std::copy_n(from.positions, 3 * size_t(count), out);
-    else
-        for (uint32_t v = 0; v < count; ++v)
-            for (uint32_t k = 0; k < 3; ++k)
-                out[3 * size_t(v) + k] =
-                    from.offset[k] + from.step * static_cast<float>(from.short_positions[4 * size_t(v) + k]);
-}
-
-void copy_normals(const draw::Vertices &from, uint32_t count, float *out)
-{
-    if (!from.packed()) std::copy_n(from.normals, 3 * size_t(count), out);
-    else
-        for (uint32_t v = 0; v < count; ++v)
-            for (uint32_t k = 0; k < 3; ++k)
-                out[3 * size_t(v) + k] = static_cast<float>(from.byte_normals[4 * size_t(v) + k]) / 127.0f;
-}
+void write(const glm::vec3 &from, float *out) { out[0] = from.x, out[1] = from.y, out[2] = from.z; }
 
 }  // namespace
 
@@ -144,11 +113,12 @@ clq_status clq_view_get_vertices(const clq_view *view, uint32_t index, float *ou
         const draw::Item &item = item_of(view, index);
         const uint32_t count = item.tmpl->levels[item.level].source_count;
         require_room(capacity_vertices, count, "vertices");
-        std::optional<animcache::Inspection> inspection;
-        const draw::Vertices from =
-            item.vertices.any() ? item.vertices : inspect(inspection, view, item).vertices(request_of(view, item));
-        if (out_positions) copy_positions(from, count, out_positions);
-        if (out_normals) copy_normals(from, count, out_normals);
+        api::Inspected inspected(view);
+        const draw::Vertices from = inspected.vertices(item);
+        for (uint32_t v = 0; v < count; ++v) {
+            if (out_positions) write(from.position(v), out_positions + 3 * size_t(v));
+            if (out_normals) write(from.normal(v), out_normals + 3 * size_t(v));
+        }
     });
 }
 
@@ -160,8 +130,8 @@ clq_status clq_view_get_palette(const clq_view *view, uint32_t index, float *out
         const draw::Item &item = item_of(view, index);
         const model::Rig &rig = item.tmpl->rig;
         require_room(capacity_joints, rig.palette.size(), "joints");
-        std::optional<animcache::Inspection> inspection;
-        const draw::Pose pose = pose_of(inspection, view, item);
+        api::Inspected inspected(view);
+        const draw::Pose pose = pose_of(inspected, item);
         const model::Level &level = item.tmpl->levels[item.level];
         const auto copy = [&](size_t entry) { std::copy_n(pose.palette[entry].c, 12, out_palette + 12 * entry); };
         if (level.active.empty())
@@ -184,8 +154,8 @@ clq_status clq_view_get_morph_weights(const clq_view *view, uint32_t index, floa
         const draw::Item &item = item_of(view, index);
         const size_t count = item.tmpl->rig.rest_weights.size();
         require_room(capacity_weights, count, "morph weights");
-        std::optional<animcache::Inspection> inspection;
-        const draw::Pose pose = pose_of(inspection, view, item);
+        api::Inspected inspected(view);
+        const draw::Pose pose = pose_of(inspected, item);
         if (count > 0) std::copy_n(pose.weights, count, out_weights);
     });
 }

@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <deque>
 #include <optional>
 
-#include "animcache/inspect.h"
 #include "lib/api/boundary.h"
 #include "lib/api/camera_def.h"
-#include "lib/api/crowd_handle.h"
+#include "lib/api/inspected.h"
 #include "lib/math/eye_transform.h"
 #include "lib/visibility/channels.h"
 #include "lib/visibility/flow.h"
@@ -37,7 +36,7 @@ public:
         api::require(pixels.first_number > 0, "first_number is 0, which stands for no triangle");
         find_shown();
         for (size_t i = 0; i < shown_.size(); ++i)
-            if (shown_[i]) take_vertices(static_cast<uint32_t>(i));
+            if (shown_[i]) vertices_[i] = skinned_.emplace_back(view).vertices(view->view.list.items[i]);
     }
 
     visibility::Picture picture() const
@@ -62,25 +61,13 @@ private:
         }
     }
 
-    void take_vertices(uint32_t index)
-    {
-        const draw::Item &item = view_->view.list.items[index];
-        vertices_[index] = item.vertices;
-        if (item.vertices.any()) return;
-        if (!item.locals) throw std::bad_alloc();  // left out by the update
-        const clq_crowd *crowd = view_->crowd;
-        skinned_.push_back(
-            std::make_unique<animcache::Inspection>(memory_, *item.tmpl, crowd->frame.settings().caches.vertex_format));
-        vertices_[index] = skinned_.back()->vertices(crowd->frame.request_of(item));
-    }
-
     const clq_view *view_;
     const clq_pixels &pixels_;
     std::pmr::memory_resource *memory_;
     visibility::Numbers numbers_;
     std::pmr::vector<uint8_t> shown_;  // by item
     std::pmr::vector<draw::Vertices> vertices_;
-    std::pmr::vector<std::unique_ptr<animcache::Inspection>> skinned_;
+    std::pmr::deque<api::Inspected> skinned_;
 };
 
 // The individuals of a picture at another time.

@@ -1,13 +1,12 @@
 // clq_scene_pick_triangle, and rays through pictures.
 #include <cmath>
-#include <optional>
 
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 
-#include "animcache/inspect.h"
 #include "lib/api/boundary.h"
 #include "lib/api/camera_def.h"
+#include "lib/api/inspected.h"
 #include "lib/api/scene_handle.h"
 #include "lib/math/eye_transform.h"
 #include "lib/scene/pick.h"
@@ -16,23 +15,6 @@ using namespace claque;
 
 namespace
 {
-
-// Skins individuals whose parts GL's matrix stack places, as clq_view_get_vertices does.
-class Skinned : public scene::VertexSource
-{
-public:
-    explicit Skinned(const clq_view *view) : view_(view) {}
-    draw::Vertices vertices_of(const draw::Item &item) override
-    {
-        const clq_crowd *crowd = view_->crowd;
-        inspection_.emplace(&crowd->context->memory, *item.tmpl, crowd->frame.settings().caches.vertex_format);
-        return inspection_->vertices(crowd->frame.request_of(item));
-    }
-
-private:
-    const clq_view *view_;
-    std::optional<animcache::Inspection> inspection_;
-};
 
 clq_scene_pick pick_of(const clq_view *view, const scene::Pick &found, const scene::Ray &ray)
 {
@@ -64,7 +46,7 @@ clq_status clq_scene_pick_triangle(const clq_scene *scene, const clq_view *view,
         const scene::Filter wanted = api::filter_of(filter);
         const scene::Ray along = api::ray_of(ray);
         const api::Drawing drawing(view);
-        Skinned skinned(view);
+        api::InspectedSource skinned(view);
         const scene::Asked asked = {scene->scene, scene->crowd->crowd, wanted, scene->scene.time_s()};
         api::write_out(out, pick_of(view, scene::pick(asked, {view->view.list, view, skinned}, along), along));
     });

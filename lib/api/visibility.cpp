@@ -1,36 +1,11 @@
 // Draws visibility pictures.
 #include <claque/visibility.h>
 
-#include <optional>
-
-#include "animcache/inspect.h"
 #include "lib/api/boundary.h"
-#include "lib/api/crowd_handle.h"
+#include "lib/api/inspected.h"
 #include "lib/api/renderer_handle.h"
 
 using namespace claque;
-
-namespace
-{
-
-// Skins individuals whose parts GL's matrix stack places, as clq_view_get_vertices does.
-struct PlacedByGl {
-    const clq_view *view;
-    std::optional<animcache::Inspection> inspection;
-
-    static draw::Vertices vertices_of(void *user, const draw::Item &item) noexcept
-    try {
-        PlacedByGl &self = *static_cast<PlacedByGl *>(user);
-        if (!item.locals) return {};  // left out by the update
-        const clq_crowd *crowd = self.view->crowd;
-        self.inspection.emplace(&crowd->context->memory, *item.tmpl, crowd->frame.settings().caches.vertex_format);
-        return self.inspection->vertices(crowd->frame.request_of(item));
-    } catch (const std::exception &) {
-        return {};
-    }
-};
-
-}  // namespace
 
 extern "C" {
 
@@ -58,13 +33,12 @@ clq_status clq_renderer_draw_visibility(clq_renderer *renderer, clq_view *view, 
         if (wanted.first_number + count > uint64_t(UINT32_MAX) + 1)
             base::fail(CLQ_LIMIT, "%llu triangles from number %u on: numbers have 32 bits",
                        static_cast<unsigned long long>(count), wanted.first_number);
-        PlacedByGl placed{view, {}};
+        api::InspectedSource placed_by_gl(view);
         passes::VisibilityOptions options;
         options.first_number = wanted.first_number;
         options.upper_bits = wanted.upper_bits;
         options.drawn = wanted.drawn;
-        options.vertices_of = PlacedByGl::vertices_of;
-        options.user = &placed;
+        options.placed_by_gl = &placed_by_gl;
         passes::DrawStats stats;
         api::require(renderer->renderer.draw_visibility(view->view.list, options, &stats));
         if (!out_stats) return;

@@ -20,6 +20,24 @@ struct Vertices {
 
     bool packed() const { return short_positions != nullptr; }
     bool any() const { return (positions && normals) || (short_positions && byte_normals); }
+
+    glm::vec3 position(uint32_t vertex) const
+    {
+        if (!packed())
+            return glm::vec3(positions[3 * size_t(vertex)], positions[3 * size_t(vertex) + 1],
+                             positions[3 * size_t(vertex) + 2]);
+        const int16_t *n = short_positions + 4 * size_t(vertex);
+        return glm::vec3(offset[0] + step * static_cast<float>(n[0]), offset[1] + step * static_cast<float>(n[1]),
+                         offset[2] + step * static_cast<float>(n[2]));
+    }
+    glm::vec3 normal(uint32_t vertex) const
+    {
+        if (!packed())
+            return glm::vec3(normals[3 * size_t(vertex)], normals[3 * size_t(vertex) + 1],
+                             normals[3 * size_t(vertex) + 2]);
+        const int8_t *n = byte_normals + 4 * size_t(vertex);
+        return glm::vec3(n[0], n[1], n[2]) / 127.0f;
+    }
 };
 
 // A host's callbacks round the drawing of one individual (S0 7.1): before() may bind a texture of its own and then

@@ -1,5 +1,5 @@
 // Turns head, neck and torso about the vertical, on a pose that is evaluated already: people look where they will go
-// before they turn, and pull a shoulder back from others whom they pass. A function of the pose and the target alone.
+// before they turn, and pull a shoulder back from others that they pass. A function of the pose and the target alone.
 #pragma once
 
 #include "lib/math/simd.h"

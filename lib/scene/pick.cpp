@@ -45,7 +45,8 @@ public:
         own.length = best_.distance;
         const draw::Vertices vertices =
             item.vertices.any() || !item.locals ? item.vertices : picture_.source.vertices_of(item);
-        if (!vertices.any()) return;
+        if (!vertices.any() && item.locals) throw std::bad_alloc();
+        if (!vertices.any()) return;  // left out by the update
         const TriangleHit hit = first_triangle(item, vertices, own);
         const uint32_t best_row = best_.item == none ? none : picture_.list.items[best_.item].actor_index;
         if (!hit.found || (hit.distance == best_.distance && row >= best_row)) return;

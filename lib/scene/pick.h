@@ -1,20 +1,11 @@
 // What a ray meets first in the picture of a view: the triangles of its draw list, as they are drawn.
 #pragma once
 
-#include "lib/draw/draw_list.h"
+#include "lib/draw/vertex_source.h"
 #include "lib/scene/questions.h"
 
 namespace claque::scene
 {
-
-// Gives the vertices of items that have none in the draw list, because GL's matrix stack places their parts. The result
-// is valid until the next call. May throw std::bad_alloc.
-class VertexSource
-{
-public:
-    virtual ~VertexSource() = default;
-    virtual draw::Vertices vertices_of(const draw::Item &item) = 0;
-};
 
 struct Pick {
     uint32_t item = model::none;  // of the draw list; none: the ray meets nothing
@@ -28,7 +19,7 @@ struct Pick {
 struct Picture {
     const draw::DrawList &list;
     const void *view;  // as Scene::show was given it
-    VertexSource &source;
+    draw::VertexSource &source;
 };
 
 // Finds the nearest triangle of an individual that still exists and matches the filter. Equal distances: the lower row.

@@ -12,18 +12,6 @@ namespace
 
 using model::none;
 
-glm::dvec3 position_of(const draw::Vertices &from, uint32_t vertex)
-{
-    if (!from.packed()) {
-        const float *p = from.positions + 3 * size_t(vertex);
-        return glm::dvec3(p[0], p[1], p[2]);
-    }
-    const int16_t *p = from.short_positions + 4 * size_t(vertex);
-    glm::dvec3 out;
-    for (int k = 0; k < 3; ++k) out[k] = double(from.offset[k] + from.step * static_cast<float>(p[k]));
-    return out;
-}
-
 class Search
 {
 public:
@@ -63,8 +51,9 @@ private:
     // Moeller and Trumbore 1997.
     void test(const model::Surface &surface, const uint32_t *corners, uint32_t part, uint32_t zone_index)
     {
-        const glm::dvec3 a = position_of(vertices_, corners[0]);
-        const glm::dvec3 ab = position_of(vertices_, corners[1]) - a, ac = position_of(vertices_, corners[2]) - a;
+        const glm::dvec3 a = glm::dvec3(vertices_.position(corners[0]));
+        const glm::dvec3 ab = glm::dvec3(vertices_.position(corners[1])) - a,
+                         ac = glm::dvec3(vertices_.position(corners[2])) - a;
         const glm::dvec3 p = glm::cross(ray_.direction, ac);
         const double volume = glm::dot(ab, p);
         if (volume == 0 || (volume < 0 && !surface.double_sided)) return;

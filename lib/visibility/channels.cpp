@@ -13,7 +13,7 @@ namespace
 constexpr float nan = std::numeric_limits<float>::quiet_NaN();
 
 // The triangle of the pixel before, which the next one often shows too.
-struct Run {
+struct Shown {
     uint64_t number = ~uint64_t(0);
     Found found;
     Corners corners;
@@ -28,40 +28,40 @@ public:
     {
     }
 
-    void write(size_t pixel, Run &run) const
+    void write(size_t pixel, Shown &shown) const
     {
         uint64_t number = 0;
         if (!picture_.number_at(pixel, number)) return write_nothing(pixel);
-        if (number != run.number) begin(number, run);
-        const draw::Item &item = picture_.list.items[run.found.item];
-        if (out_.individuals) out_.individuals[pixel] = run.found.item;
+        if (number != shown.number) begin(number, shown);
+        const draw::Item &item = picture_.list.items[shown.found.item];
+        if (out_.individuals) out_.individuals[pixel] = shown.found.item;
         if (out_.actors) out_.actors[pixel] = item.actor_index + 1;
-        if (out_.parts) out_.parts[pixel] = run.found.part;
-        if (out_.triangles) out_.triangles[pixel] = run.found.triangle;
+        if (out_.parts) out_.parts[pixel] = shown.found.part;
+        if (out_.triangles) out_.triangles[pixel] = shown.found.triangle;
         const bool points = out_.barycentric || out_.depth_m || out_.positions || out_.normals || out_.zones;
         if (!points) return;
-        const glm::dvec3 weights = run.corners.weights_at(picture_.centre(pixel), picture_.half());
+        const glm::dvec3 weights = shown.corners.weights_at(picture_.centre(pixel), picture_.half());
         if (out_.zones)
-            out_.zones[pixel] = run.found.zone != model::none ? run.found.zone : zone_of(run.found, weights);
-        write_point(pixel, run, weights);
+            out_.zones[pixel] = shown.found.zone != model::none ? shown.found.zone : zone_of(shown.found, weights);
+        write_point(pixel, shown, weights);
     }
 
 private:
-    void begin(uint64_t number, Run &run) const
+    void begin(uint64_t number, Shown &shown) const
     {
-        run.number = number;
-        run.found = picture_.numbers.find(number);
-        const draw::Item &item = picture_.list.items[run.found.item];
-        const draw::Vertices &vertices = picture_.vertices[run.found.item];
-        run.corners = corners_of(picture_.list, item, vertices, run.found.corners);
+        shown.number = number;
+        shown.found = picture_.numbers.find(number);
+        const draw::Item &item = picture_.list.items[shown.found.item];
+        const draw::Vertices &vertices = picture_.vertices[shown.found.item];
+        shown.corners = corners_of(picture_.list, item, vertices, shown.found.corners);
         if (!out_.normals) return;
         const float *m = item.model_view;
-        const double side = run.corners.faces_away(item.mirrored) ? -1 : 1;
+        const double side = shown.corners.faces_away(item.mirrored) ? -1 : 1;
         for (int k = 0; k < 3; ++k) {
-            const glm::dvec3 n = side * normal_of(vertices, run.found.corners[k]);
+            const glm::dvec3 n = side * glm::dvec3(vertices.normal(shown.found.corners[k]));
             for (int i = 0; i < 3; ++i)
-                run.normals[k][i] = double(m[i]) * n.x + double(m[4 + i]) * n.y + double(m[8 + i]) * n.z;
-            run.normals[k] = glm::normalize(run.normals[k]);
+                shown.normals[k][i] = double(m[i]) * n.x + double(m[4 + i]) * n.y + double(m[8 + i]) * n.z;
+            shown.normals[k] = glm::normalize(shown.normals[k]);
         }
     }
 
@@ -82,7 +82,7 @@ private:
                 w[6] * eye.x + w[7] * eye.y + w[8] * eye.z};
     }
 
-    void write_point(size_t pixel, const Run &run, const glm::dvec3 &weights) const
+    void write_point(size_t pixel, const Shown &shown, const glm::dvec3 &weights) const
     {
         if (out_.barycentric)
             for (size_t k = 0; k < 3; ++k)
@@ -90,14 +90,14 @@ private:
         const auto mean = [&](const glm::dvec3 *of) {
             return weights.x * of[0] + weights.y * of[1] + weights.z * of[2];
         };
-        const glm::dvec3 eye = mean(run.corners.eye);
+        const glm::dvec3 eye = mean(shown.corners.eye);
         if (out_.depth_m) out_.depth_m[pixel] = static_cast<float>(-eye.z * metres_per_unit_);
         if (out_.positions) {
             const glm::dvec3 at = to_world(eye);
             for (int k = 0; k < 3; ++k) out_.positions[3 * pixel + size_t(k)] = picture_.list.eye[k] + at[k];
         }
         if (out_.normals) {
-            const glm::dvec3 normal = to_world(glm::normalize(mean(run.normals)));
+            const glm::dvec3 normal = to_world(glm::normalize(mean(shown.normals)));
             for (int k = 0; k < 3; ++k) out_.normals[3 * pixel + size_t(k)] = static_cast<float>(normal[k]);
         }
     }
@@ -127,8 +127,8 @@ void write_channels(const Picture &picture, double metres_per_unit, const base::
 {
     const Writer writer(picture, metres_per_unit, out);
     picture.for_rows(jobs, [&](size_t first, size_t last) {
-        Run run;
-        for (size_t pixel = first; pixel < last; ++pixel) writer.write(pixel, run);
+        Shown shown;
+        for (size_t pixel = first; pixel < last; ++pixel) writer.write(pixel, shown);
     });
 }
 

@@ -29,27 +29,6 @@ glm::dvec3 bounded(glm::dvec3 weights)
 
 }  // namespace
 
-glm::dvec3 position_of(const draw::Vertices &from, uint32_t vertex)
-{
-    glm::dvec3 out;
-    if (!from.packed())
-        for (int k = 0; k < 3; ++k) out[k] = double(from.positions[3 * size_t(vertex) + size_t(k)]);
-    else
-        for (int k = 0; k < 3; ++k)
-            out[k] = double(from.offset[k] +
-                            from.step * static_cast<float>(from.short_positions[4 * size_t(vertex) + size_t(k)]));
-    return out;
-}
-
-glm::dvec3 normal_of(const draw::Vertices &from, uint32_t vertex)
-{
-    glm::dvec3 out;
-    for (int k = 0; k < 3; ++k)
-        out[k] = from.packed() ? double(from.byte_normals[4 * size_t(vertex) + size_t(k)])
-                               : double(from.normals[3 * size_t(vertex) + size_t(k)]);
-    return out;
-}
-
 bool Corners::faces_away(bool mirrored) const
 {
     const double turn = glm::determinant(glm::dmat3(clip[0], clip[1], clip[2]));
@@ -94,7 +73,7 @@ Corners corners_of(const draw::DrawList &list, const draw::Item &item, const dra
     Corners out;
     const float *m = item.model_view;
     for (int k = 0; k < 3; ++k) {
-        const glm::dvec3 v = position_of(vertices, corners[k]);
+        const glm::dvec3 v(vertices.position(corners[k]));
         for (int i = 0; i < 3; ++i)
             out.eye[k][i] = double(m[i]) * v.x + double(m[4 + i]) * v.y + double(m[8 + i]) * v.z + double(m[12 + i]);
         out.clip[k] = clip_of(list.projection, out.eye[k]);

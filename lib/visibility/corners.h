@@ -9,9 +9,6 @@
 namespace claque::visibility
 {
 
-glm::dvec3 position_of(const draw::Vertices &from, uint32_t vertex);
-glm::dvec3 normal_of(const draw::Vertices &from, uint32_t vertex);
-
 struct Corners {
     glm::dvec3 eye[3];   // in eye space
     glm::dvec3 clip[3];  // x, y and w after the projection

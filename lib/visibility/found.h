@@ -1,4 +1,4 @@
-// The triangle of a number: whose it is, and what it shows.
+// The triangle of a number: its individual, its part and its zone.
 #pragma once
 
 #include <vector>

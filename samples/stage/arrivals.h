@@ -31,7 +31,7 @@ std::vector<Arrival> arrivals_of(const scenes::Staging &stage, uint64_t seed);
 
 // Finds a place on the ground near a point, and moves the point there. False: there is none.
 using OnGround = std::function<bool(std::array<double, 3> &point)>;
-// Whether nobody is within a distance of a point.
+// Whether no person is within a distance of a point.
 using IsFree = std::function<bool(const std::array<double, 3> &point, double apart_m)>;
 
 // One place of many for a person of these agents; `attempt` chooses which. False: it is not free, or no ground.

@@ -114,7 +114,7 @@ private:
     struct Person {
         uint32_t stand = 0;  // of stands_, from 1 on; 0: none
         uint32_t asked = 0;  // so often
-        uint32_t other = 0;  // with whom it talks, from 1 on; 0: none
+        uint32_t other = 0;  // the one it talks with, from 1 on; 0: none
         bool is_there = false;
         Point at = {0, 0};  // in the middle of the two
     };

@@ -1,5 +1,5 @@
-// Who is in view of a run's camera, looked up at fixed times: what decisions hear does not depend on which frames are
-// drawn. The flow that draws looks; the flow of decisions takes what was seen when its time has come.
+// The people in view of a run's camera, looked up at fixed times: what decisions hear does not depend on which frames
+// are drawn. The flow that draws looks; the flow of decisions takes what was seen when its time has come.
 #pragma once
 
 #include <claque/scene.h>

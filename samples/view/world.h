@@ -83,7 +83,7 @@ public:
     double last_s() const { return opened_.last_s; }
     const std::vector<clq_template *> &templates() const { return templates_; }
     std::vector<std::string> warnings() const { return library_->warnings(); }
-    // What `examine` found of a character; null: nobody asked.
+    // What `examine` found of a character; null: not examined yet.
     const Findings *findings(const clq_template *tmpl) const;
     // The levels of the picked individual beside it; null: they are not shown.
     const LevelRow *level_row() const { return level_row_.get(); }

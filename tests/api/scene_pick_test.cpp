@@ -198,7 +198,7 @@ TEST_P(Pick, FindsWhatIsDrawnWhateverHasChangedSince)
     EXPECT_GT(compare(200), 20u);
 }
 
-TEST_P(Pick, LeavesOutWhoIsGoneAndWhoIsNotAskedFor)
+TEST_P(Pick, LeavesOutActorsThatAreGoneOrNotAskedFor)
 {
     uint32_t met = 0, met_again = 0;
     for (uint32_t i = 0; i < 300 && met < 20; ++i) {

@@ -143,7 +143,7 @@ TEST_F(SceneRules, StatisticsCountWhatIsTakenOverAndItsMemory)
     EXPECT_LE(after.height, 15u) << "balanced: 1.44 times the logarithm";
 }
 
-TEST_F(SceneRules, WhoIsNowhereIsFoundByIdAndStateOnly)
+TEST_F(SceneRules, AnActorNowhereIsFoundByIdAndStateOnly)
 {
     clq_group group;
     clq_transform huge = clq_transform_init(), far = clq_transform_init();

@@ -115,7 +115,7 @@ TEST_F(ViewChanges, AreEmptyWhereNothingChanges)
     EXPECT_TRUE(told().empty()) << "an update that fails changes nothing";
 }
 
-TEST_F(ViewChanges, LeaveOutWhoIsGoneAndTellOfWhoCameInItsRow)
+TEST_F(ViewChanges, LeaveOutActorsThatAreGoneAndTellOfThoseThatCameInTheirRow)
 {
     clq_view *view = world_.new_view(crowd_, 0);
     clq_actor_def def = clq_actor_def_init();

@@ -28,7 +28,7 @@ struct Answer {
     uint64_t within = 0, nearest = 0;  // sums over those that ask
 };
 
-// Who stands where: the same for both.
+// The places of all people: the same for both.
 class Agents
 {
 public:

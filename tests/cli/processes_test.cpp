@@ -111,7 +111,7 @@ TEST_F(Processes, DrawSamplesAndRawPixelsInTheirOrder)
 }
 
 // Culled tiles are drawn by fewer people than the whole picture, and the report says by how many.
-TEST_F(Processes, LeaveOutWhoIsInNoTileOfTheirs)
+TEST_F(Processes, LeaveOutIndividualsInNoTileOfTheirs)
 {
     const Json one = picture("ten_thousand", "1000", {})["frames"][0];
     const Json three = picture("ten_thousand", "1000", {"--processes", "3"})["frames"][0];

@@ -77,7 +77,7 @@ TEST_F(ScenarioCommand, AFrameOfTheCornerAloneIsTheFrameInTheSequence)
 
 // Through a long lens a metre has more pixels than the update period counts at sixty metres, and feet would slide back
 // and forth.
-TEST_F(ScenarioCommand, WhoWalksInTheCorridorIsPosedInEachFrameOfALongLens)
+TEST_F(ScenarioCommand, WalkersInTheCorridorArePosedInEachFrameOfALongLens)
 {
     const std::string corridor = source + "/samples/scenarios/corridor.toml";
     const Outcome done = claque({"render", "--scenario", corridor, "--frames", "925:928", "--size", "720x900", "--json",

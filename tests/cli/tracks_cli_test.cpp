@@ -60,7 +60,7 @@ protected:
 
 }  // namespace
 
-TEST_F(TracksCommand, TellsWhoWalkedHowFastAndHowLong)
+TEST_F(TracksCommand, TellsHowFastAndHowLongEachPersonWalked)
 {
     const Outcome outcome = claque(with(table("tracks"), {"--json", "-"}));
     ASSERT_EQ(outcome.code, 0) << outcome.err;

@@ -1,4 +1,5 @@
-// Who shows a texture of their own: the nearest of the list, whatever was drawn before, and never more than the budget.
+// Which individuals show a texture of their own: the nearest of the list, whatever was drawn before, and
+// never more than the budget.
 #include "tests/gl/support/close.h"
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/spy.h"
@@ -78,7 +79,7 @@ TEST_F(CloseChoice, TakesTheNearestUpToTheBudget)
     EXPECT_EQ(filtered(*renderer, row({1, 2, 3, 4, 5})), "CCCss");
 }
 
-TEST_F(CloseChoice, EndsAtTheFirstWhoDoesNotFit)
+TEST_F(CloseChoice, EndsAtTheFirstThatDoesNotFit)
 {
     const auto renderer = make_renderer_of(posed_, room_for(1));
     ASSERT_TRUE(renderer->prepare(*small_.tmpl).ok());
@@ -108,7 +109,7 @@ TEST_F(CloseChoice, ShowsNewColoursAtOnce)
     EXPECT_EQ(draw(*context_, *used, list), draw(*context_, *fresh, list));
 }
 
-TEST_F(CloseChoice, HoldsOneTextureForAllWhoShowTheSame)
+TEST_F(CloseChoice, HoldsOneTextureForAllThatShowTheSame)
 {
     const auto renderer = make_renderer_of(posed_, room_for(1));
     DrawList list = row({1, 2, 3, 4, 5});
@@ -150,7 +151,7 @@ TEST_F(CloseChoice, MakesNoMoreInADrawThanALiveHostAllowsAndEndsWithTheSamePictu
     EXPECT_EQ(draw(*context_, *renderer, list), draw(*context_, *at_once, list));
 }
 
-TEST_F(CloseChoice, LeavesOutWhoIsTooFarAndWhoHasHooks)
+TEST_F(CloseChoice, LeavesOutIndividualsTooFarAwayAndThoseWithHooks)
 {
     passes::RendererOptions options = close_options();
     options.close_distance_m = 3;

@@ -77,7 +77,7 @@ TEST(AmphitheatrePlan, SeatsOfARowDoNotOverlap)
     }
 }
 
-TEST(AmphitheatrePlan, NobodySitsOnStairsOrInOpenings)
+TEST(AmphitheatrePlan, NoneSitsOnStairsOrInOpenings)
 {
     const auto clear = [](const amphitheatre::Seat &seat, double bay, double wide_m) {
         const Row &row = plan().rows()[seat.row];

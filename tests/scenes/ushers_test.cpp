@@ -64,7 +64,7 @@ TEST(Ushers, FillAllSeatsOfAClassAndNoSeatTwice)
     EXPECT_EQ(house.ask(ask_bench, house.add("plebeians")), "bench") << "other classes have seats";
 }
 
-TEST(Ushers, LetPeopleOutWhenNobodySitsBetweenThemAndTheGangway)
+TEST(Ushers, LetPeopleOutWhenNoneSitsBetweenThemAndTheGangway)
 {
     House house;
     std::map<size_t, std::vector<size_t>> benches;  // of the guests of each gangway and row

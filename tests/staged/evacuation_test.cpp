@@ -44,7 +44,7 @@ void watch(staged::Run &run, double time_s, std::vector<Point> &before, Watched 
     }
 }
 
-TEST(Evacuation, EveryoneLeavesThroughNobodyAndNoStone)
+TEST(Evacuation, EveryoneLeavesThroughNoPersonAndNoStone)
 {
     World world(evacuation(55, 45), 1, false);
     std::vector<Point> before(100, Point{0, 0, 0});
@@ -102,7 +102,7 @@ TEST(Evacuation, AsManyGoThroughAFullDoorAsWereMeasured)
     EXPECT_EQ(world.run().counts().left, 300u);
 }
 
-TEST(Evacuation, WhoHasLeftIsNotSeen)
+TEST(Evacuation, PeopleThatLeftAreNotSeen)
 {
     World world(evacuation(6, 4), 1, false);
     const auto seen = [&](double time_s) {

@@ -142,7 +142,7 @@ TEST_F(Evening, HasLaughsThatSpreadToNeighboursAndEnd)
     EXPECT_LT(static_cast<double>(laughs) * step_s, 130) << "it never ends";
 }
 
-TEST_F(Evening, HasNobodyWhoApplaudsAlone)
+TEST_F(Evening, LetsNoneApplaudAlone)
 {
     size_t most = 0;
     double few_s = 0;

@@ -62,7 +62,7 @@ clq_transform drawn(World &world, uint32_t person)
     return info.root;
 }
 
-TEST(Market, PeopleGoThroughNobodyAndNothing)
+TEST(Market, PeopleGoThroughNoPersonAndNoThing)
 {
     World world(market(60, 20, 50), 1, false);
     const auto count = static_cast<uint32_t>(world.run().people().all().size());

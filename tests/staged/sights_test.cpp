@@ -1,4 +1,4 @@
-// Who comes into view of the recorded camera hears it, whichever frames are drawn.
+// A person that comes into view of the recorded camera hears it, whichever frames are drawn.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

@@ -89,7 +89,7 @@ TEST_F(FrameCosts, SayWhatASwitchChanged)
     EXPECT_TRUE(model.switched.empty()) << "more than ten seconds ago";
 }
 
-TEST_F(FrameCosts, KnowWhoHasTexturesOfTheirOwnWithoutAWorldMadeAnew)
+TEST_F(FrameCosts, KnowIndividualsWithTexturesOfTheirOwnWithoutAWorldMadeAnew)
 {
     view::Session &s = open({"plaza", 8, 480, 480});
     play({"click \"Camera\"", "click \"Person\"", "click \"Frame\"", "wait 1"});

@@ -75,7 +75,7 @@ TEST_F(Scripts, PauseStepAndScrubTime)
     EXPECT_NEAR(clock.time_s, 30, 1);
 }
 
-TEST_F(Scripts, PickThePersonWhomTheyClick)
+TEST_F(Scripts, PickThePersonThatTheyClick)
 {
     view::Session &s = open({"plaza", 12, 640, 480});
     int picked = 0;

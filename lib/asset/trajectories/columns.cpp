@@ -63,7 +63,7 @@ private:
              in_quotes(text).c_str());
     }
 
-    // A second line of units, as Pathfinder writes, or a header that nobody asked for: no column is a number.
+    // A second line of units, as Pathfinder writes, or a header that no column needs: no column is a number.
     bool is_units()
     {
         if (seen_) return false;

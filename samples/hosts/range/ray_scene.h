@@ -1,4 +1,5 @@
-// The crowd's triangles as a scene of rays, for range sensors. Embree finds what a ray meets; claque says whose it is.
+// The crowd's triangles as a scene of rays, for range sensors. Embree finds the triangle that a ray meets; claque
+// names its individual and zone.
 #pragma once
 
 #include <claque/visibility.h>

@@ -137,7 +137,7 @@ public:
 private:
     clq_camera from(const std::string &viewpoint, double aspect) const
     {
-        const double seat = box_floor_m + 1.75;  // the eyes of somebody who stands
+        const double seat = box_floor_m + 1.75;  // the eyes of a standing person
         if (viewpoint == "emperor") return look({0, seat, arena_short_m + 1.0}, {-4.0, 7.5, -60}, 60, aspect, 0.3, 900);
         if (viewpoint == "top-row") {
             const Spot spot = plan_.oval().at(2.35, 44.6);

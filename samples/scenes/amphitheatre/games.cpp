@@ -15,7 +15,7 @@ namespace
 constexpr double stride_m = 1.24;  // of two steps of the walk, at scale 1
 constexpr double inner_m = -6.4, outer_m = -5.0, rank_m = 2.3;
 constexpr double guest_out_m = 2.3, guest_seat_m = 0.43;
-constexpr float looked_at = 0.6f;  // the priority of those whom everybody looks at: finer levels
+constexpr float looked_at = 0.6f;  // the priority of the people that all look at: finer levels
 constexpr double south = two_pi / 4, north = 3 * two_pi / 4;
 
 // Sideways from the middle of a box to each guest; the emperor's own place in the middle of the southern one is free.

@@ -1,4 +1,4 @@
-// Who sits in which tier: senators, knights, citizens, the poor in dark clothes, and women and the poorest on the
+// The orders of each tier: senators, knights, citizens, the poor in dark clothes, and women and the poorest on the
 // wooden benches, as the laws of Augustus had it (Suetonius, Augustus 44).
 #pragma once
 

@@ -62,7 +62,7 @@ private:
         bool waits = false;  // to leave
     };
     struct Row {
-        uint32_t promised = 0;        // places that are somebody's
+        uint32_t promised = 0;        // places promised to people on their way
         std::vector<size_t> sitting;  // guests, by slot
     };
     void give_bench(size_t guest);

@@ -25,7 +25,7 @@ void expect_people(TomlTable &all, const Scenario &scenario)
         all.refuse("has people who sit, [theatre], and people who walk, [tracks]; it needs one of the two", "tracks");
     if (scenario.stage && scenario.tracks)
         all.refuse(
-            "has people who decide, [stage], and people on tracks, [tracks], whom they would not see and walk "
+            "has people who decide, [stage], and people on tracks, [tracks], which they would not see and walk "
             "through; it needs one of the two",
             "tracks");
     const bool others = scenario.theatre || scenario.tracks || scenario.stage;

@@ -39,7 +39,7 @@ struct Scenario {
     std::vector<roles::Person> people;
 
     std::optional<CameraPath> path;
-    std::string follow;  // the id of the person whom the camera follows; empty: it stands
+    std::string follow;  // the id of the person that the camera follows; empty: it stands
     std::optional<Daylight> light;
     std::optional<Rgb> paving, around;
     std::string area;                            // a file of the walkable area; empty: a level ground

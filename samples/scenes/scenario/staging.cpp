@@ -46,7 +46,7 @@ void read_staging(TomlTable &all, const ScenarioFiles &files, Scenario &scenario
         made.timetable_at = stage.place("timetable");
     }
     stage.done();
-    if (!all.has("agents")) stage.refuse("has nobody on it: it needs at least one [[agents]]");
+    if (!all.has("agents")) stage.refuse("has no agents: it needs at least one [[agents]]");
     scenario.stage = std::move(made);
 }
 

@@ -60,7 +60,7 @@ struct ScenarioAgents {
     std::string at, machine_at;
 };
 
-// One that flies round a closed curve over the others, and of whom they hear.
+// One that flies round a closed curve over the others, which hear of it.
 struct ScenarioFlyer {
     std::string name, character, clip = "fly";
     std::vector<double> path;  // x, y, z of its corners
@@ -84,7 +84,7 @@ struct Staging {
     double budget_us = 0;  // the same in live time, microseconds
     std::string timetable, timetable_at;
     std::vector<Place> places;
-    std::optional<ScenarioGround> ground;  // none: nobody walks
+    std::optional<ScenarioGround> ground;  // none: no agent walks
     std::vector<ScenarioDoor> doors;
     std::vector<ScenarioAgents> agents;
     std::vector<ScenarioFlyer> flyers;

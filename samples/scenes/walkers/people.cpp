@@ -47,7 +47,7 @@ std::vector<clq_track_def> defs_of(const std::vector<std::vector<clq_track_point
     return defs;
 }
 
-// Who passes whom closely: shoulders turn then.
+// Pairs that pass closely: shoulders turn then.
 std::vector<clq_found_passing> passings_of(Library &library, const std::vector<clq_track_def> &defs)
 {
     std::vector<const clq_track_def *> all;
@@ -71,7 +71,7 @@ OwnTrajectories load(Library &library, const Options &options)
     OwnTrajectories out(made);
     clq_trajectories_info info = clq_trajectories_info_init();
     check(clq_trajectories_get_info(made, &info));
-    if (info.person_count == 0) throw Failure(options.file + ": nobody is in it");
+    if (info.person_count == 0) throw Failure(options.file + ": it has no people");
     return out;
 }
 

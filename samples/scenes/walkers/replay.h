@@ -16,7 +16,7 @@ using OwnRecord = std::unique_ptr<clq_record, DestroyRecord>;
 struct ReplayOptions {
     std::string file;
     std::vector<std::string> characters;  // for templates that no built-in character has the name of
-    std::string follow;                   // the number of the actor whom the camera follows; empty: it stands
+    std::string follow;                   // the number of the actor that the camera follows; empty: it stands
 };
 
 // The bytes of a file and the record in them. Throws Failure.

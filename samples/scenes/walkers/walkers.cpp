@@ -118,7 +118,8 @@ private:
     {
         for (size_t i = 0; i < people_.size(); ++i)
             if (people_[i].id == id) return i;
-        throw Failure("nobody has the id " + id + " that the camera is to follow; the first is " + people_.front().id);
+        throw Failure("no person has the id " + id + " that the camera is to follow; the first is " +
+                      people_.front().id);
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not

@@ -25,7 +25,7 @@ struct Options {
     std::vector<SocialClass> characters;          // in proportion to their shares; empty: the four built-in people
     std::string area;                             // a file of the walkable area; empty: a level ground
     double walls_m = 0.3;                         // height of the walls round the area
-    std::string follow;                           // the id of the person whom the camera follows; empty: it stands
+    std::string follow;                           // the id of the person that the camera follows; empty: it stands
     Daylight light;
     std::optional<Rgb> paving, around;  // of the ground; empty: stone, and grass
     struct Places {

@@ -9,7 +9,7 @@ namespace view
 // All of them, with their headings.
 void ground_panels(Ui &ui, Model &model, const World &world);
 
-// The role of the picked individual, begun if it has none; null: nobody is picked.
+// The role of the picked individual, begun if it has none; null: none is picked.
 scenes::roles::Role *picked_role(Model &model, const World &world);
 
 void motion_panel(Ui &ui, Model &model, scenes::roles::Role &role, const clq_template *tmpl);

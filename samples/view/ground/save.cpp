@@ -70,7 +70,7 @@ std::string scenario_text(const World &world, const Model &model)
     for (const clq_actor actor : world.everyone())
         if (actor.index1 == model.picked.actor.index1 || model.ground.roles.count(actor.index1) != 0)
             people.push_back(person_of(world, model, actor));
-    if (people.empty()) throw scenes::Failure("nobody is picked, and nobody has been told what to do");
+    if (people.empty()) throw scenes::Failure("no individual is picked, and none has been told what to do");
     return "# At " + fixed(model.clock.time_s, 3) + " s of the testing ground: claque render --scenario FILE --time " +
            fixed(model.clock.time_s, 3) + " --camera path\n" +
            scenes::roles::text_of("testing ground", people, camera_text(model));

@@ -10,7 +10,7 @@ namespace view
 std::string character_of(const World &world, const clq_template *tmpl);
 
 // The picked individual and all that have roles, as [[people]] of docs/scenarios.md, with the camera. Throws
-// scenes::Failure if there is nobody to save, or a character has no file.
+// scenes::Failure if there is no individual to save, or a character has no file.
 std::string scenario_text(const World &world, const Model &model);
 
 }  // namespace view

@@ -184,7 +184,7 @@ TEST_F(CachesTest, TheLongestInvisibleActorIsEvictedFirstAndTiesGoByRow)
     EXPECT_EQ(caches.counters().evicted, 8u);  // four individuals, two blocks each
 }
 
-TEST_F(CachesTest, WhoIsSeenIsNeverThrownOutAndWhoFindsNoRoomIsSkinnedForTheUpdateToTheSameBits)
+TEST_F(CachesTest, SeenActorsAreNeverThrownOutAndThoseWithoutRoomAreSkinnedForTheUpdateToTheSameBits)
 {
     Caches roomy(std::pmr::get_default_resource(), Settings()), tight(std::pmr::get_default_resource(), budget(3, 1));
     roomy.reserve(5, both_);

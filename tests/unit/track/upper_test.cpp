@@ -222,7 +222,7 @@ TEST(Passings, OfTwoPeopleAreFoundForBoth)
     EXPECT_TRUE(Pair(1.1).found.empty()) << "farther than a metre";
 }
 
-TEST(Shoulders, TurnAwayFromThePersonWhoPasses)
+TEST(Shoulders, TurnAwayFromThePersonThatPasses)
 {
     const Pair with(0.55), without(0.55, false);
     Posed a(*with.tracks[0]), b(*with.tracks[1]), c(*without.tracks[0]), d(*without.tracks[1]);
