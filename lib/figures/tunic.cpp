@@ -1,8 +1,7 @@
 // A knee-length tunic: rows of fourteen columns from the hem over the belt and the overhanging cloth up to the armpits,
 // a yoke over the shoulders with a wide neck, and sleeves joined to its armholes.
-#include <map>
 
-#include "lib/figures/parts.h"
+#include "lib/figures/cloth.h"
 #include "lib/figures/skeleton.h"
 
 namespace claque::figures
@@ -60,12 +59,9 @@ const std::array<glm::vec3, 8> upper = {{neckline[0],
                                          neckline[4]}};
 const std::array<glm::vec3, 3> shoulder_seam = {{neckline[2], {0.134f, 1.464f, -0.022f}, {0.184f, 1.456f, -0.016f}}};
 
-struct SleeveRow {
-    float along;
-    Girth girth;  // front, back, below, above
-};
-const std::array<SleeveRow, 2> sleeve_rows = {
-    {{0.095f, {0.066f, 0.066f, 0.076f, 0.056f}}, {0.235f, {0.078f, 0.074f, 0.094f, 0.054f}}}};
+// Girths: front, back, below, above.
+const std::vector<SleeveRow> sleeve_rows = {{0.095f, {0.066f, 0.066f, 0.076f, 0.056f}},
+                                            {0.235f, {0.078f, 0.074f, 0.094f, 0.054f}}};
 
 using Ring = std::array<uint32_t, columns>;
 
@@ -94,45 +90,6 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 8> &half)
     return ring;
 }
 
-// `count` columns from `first`, left to right as seen from outside.
-Chain span(const Ring &ring, int first, int count, float t)
-{
-    Chain chain;
-    for (int k = first; k < first + count; ++k)
-        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
-    return chain;
-}
-
-// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
-Chain doubled(Mesh &mesh, Chain chain)
-{
-    std::map<uint32_t, uint32_t> twins;
-    for (Corner &corner : chain) {
-        const Point point = mesh.points[corner.point];
-        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
-        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
-        corner.point = at->second;
-    }
-    return chain;
-}
-
-void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 5> &armhole)
-{
-    const std::array<float, 6> places = {0, 0.26f, 0.5f, 0.66f, 0.86f, 1};
-    Chain before;
-    for (size_t i = 0; i < 6; ++i) before.push_back({armhole[i % 5], glm::vec2(places[i], 0)});
-    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
-    for (const SleeveRow &row : sleeve_rows) {
-        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 7, shoulder + arm_direction() * row.along,
-                                               -arm_dorsal(), arm_thumbward(), row.girth),
-                                      -row.along);
-        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
-        before = next;
-    }
-    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.13f, side), Region::sleeve, side);
-    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
-}
-
 // Chest, back and shoulders above the row of the armpits, at height `t` of the charts; then the sleeves.
 void add_yoke(Mesh &mesh, const Ring &low, float t)
 {
@@ -158,7 +115,8 @@ void add_yoke(Mesh &mesh, const Ring &low, float t)
         const auto at = [left](const Ring &ring, int k) {
             return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
         };
-        add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 3), at(low, 3), at(low, 4)});
+        const std::array<uint32_t, 5> armhole = {at(high, 4), seam[2], at(high, 3), at(low, 3), at(low, 4)};
+        add_sleeve(mesh, side, around(armhole, {0, 0.26f, 0.5f, 0.66f, 0.86f, 1}), sleeve_rows, 7, 0.13f);
     }
 }
 

@@ -1,9 +1,9 @@
 // The toga round the body and the visible tunic: twelve columns of cloth from the shins over the fold in front of the
 // thighs, the belly and the armpits to the yoke. On the left the toga covers shoulder and upper arm.
 #include <algorithm>
-#include <map>
 
 #include "lib/figures/brush.h"
+#include "lib/figures/cloth.h"
 #include "lib/figures/decurion/decurion.h"
 #include "lib/figures/skeleton.h"
 
@@ -60,20 +60,14 @@ const std::array<glm::vec3, 7> upper = {{neckline[0],
                                          neckline[4]}};
 const std::array<glm::vec3, 3> shoulder_seam = {{neckline[2], {0.138f, 1.466f, -0.022f}, {0.180f, 1.456f, -0.016f}}};
 
-struct SleeveRow {
-    float along;
-    Girth girth;  // front, back, below, above
-};
-using Sleeve = std::vector<SleeveRow>;
-const Sleeve tunic_sleeve = {{0.098f, {0.064f, 0.064f, 0.074f, 0.055f}}, {0.245f, {0.074f, 0.072f, 0.088f, 0.053f}}};
-const Sleeve toga_sleeve = {{0.105f, {0.076f, 0.080f, 0.086f, 0.066f}},
-                            {0.215f, {0.090f, 0.096f, 0.112f, 0.066f}},
-                            {0.325f, {0.094f, 0.104f, 0.138f, 0.060f}}};
+// Girths: front, back, below, above.
+const std::vector<SleeveRow> tunic_sleeve = {{0.098f, {0.064f, 0.064f, 0.074f, 0.055f}},
+                                             {0.245f, {0.074f, 0.072f, 0.088f, 0.053f}}};
+const std::vector<SleeveRow> toga_sleeve = {{0.105f, {0.076f, 0.080f, 0.086f, 0.066f}},
+                                            {0.215f, {0.090f, 0.096f, 0.112f, 0.066f}},
+                                            {0.325f, {0.094f, 0.104f, 0.138f, 0.060f}}};
 
 using Ring = std::array<uint32_t, columns>;
-
-Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
-size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
 
 Girths girths_at(float y)
 {
@@ -90,12 +84,13 @@ Girths girths_at(float y)
 glm::vec3 on_cloth(int column, float y, float out)
 {
     const Girths g = girths_at(y);
-    glm::vec2 d = directions[half_of(column)];
+    glm::vec2 d = directions[half_of<columns>(column)];
     // Towards the hem two columns come together in front of the shins, which would otherwise penetrate the cloth
     // between them.
-    if (half_of(column) == 1) d += glm::vec2(-0.31f, 0.08f) * smoothstep(0.49f, 0.20f, y);
+    if (half_of<columns>(column) == 1) d += glm::vec2(-0.31f, 0.08f) * smoothstep(0.49f, 0.20f, y);
     const float fold = folds[static_cast<size_t>(column)] * g.fold + out;
-    return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)), side_of(column));
+    return mirrored(glm::vec3(d.x * (g.side + fold), y, d.y * ((d.y > 0 ? g.front : g.back) + fold)),
+                    side_of<columns>(column));
 }
 
 template <class HeightAndOut>
@@ -108,7 +103,7 @@ Ring add_row(Mesh &mesh, HeightAndOut at)
                                                 e.y < 0.45f   ? skirts
                                                 : e.y < 1.03f ? Region::gown
                                                               : wrap,
-                                                side_of(k));
+                                                side_of<columns>(k));
     }
     return ring;
 }
@@ -117,54 +112,16 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
 {
     Ring ring{};
     for (int k = 0; k < columns; ++k)
-        if (half[half_of(k)].y > 0)
-            ring[static_cast<size_t>(k)] = mesh.add(mirrored(half[half_of(k)], side_of(k)), Region::torso, side_of(k));
+        if (half[half_of<columns>(k)].y > 0)
+            ring[static_cast<size_t>(k)] =
+                mesh.add(mirrored(half[half_of<columns>(k)], side_of<columns>(k)), Region::torso, side_of<columns>(k));
     return ring;
-}
-
-// `count` columns from `first`, left to right as seen from outside.
-Chain span(const Ring &ring, int first, int count, float t)
-{
-    Chain chain;
-    for (int k = first; k < first + count; ++k)
-        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
-    return chain;
-}
-
-// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
-Chain doubled(Mesh &mesh, Chain chain)
-{
-    std::map<uint32_t, uint32_t> twins;
-    for (Corner &corner : chain) {
-        const Point point = mesh.points[corner.point];
-        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
-        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
-        corner.point = at->second;
-    }
-    return chain;
 }
 
 void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
 {
     mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
     mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
-}
-
-void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 6> &armhole)
-{
-    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
-    Chain before;
-    for (size_t i = 0; i < 7; ++i) before.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
-    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
-    for (const SleeveRow &row : side == Side::left ? toga_sleeve : tunic_sleeve) {
-        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along,
-                                               -arm_dorsal(), arm_thumbward(), row.girth),
-                                      -row.along);
-        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
-        before = next;
-    }
-    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.14f, side), Region::sleeve, side);
-    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
 }
 
 void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
@@ -186,7 +143,9 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
     const int front = left ? 1 : -2, back = left ? 4 : 7;
     mesh.sew(chest_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
     mesh.sew(chest_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
-    add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)});
+    const std::array<uint32_t, 6> armhole = {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
+    add_sleeve(mesh, side, around(armhole, {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1}),
+               side == Side::left ? toga_sleeve : tunic_sleeve, 6, 0.14f);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // The stola: twelve columns of cloth from the ankles over hips and the girdle under the breast to the armpits, with a
 // yoke and short sleeves. Between the palla's lower edge and the waist the same surface is the palla, which covers the
 // stola there.
-#include <map>
 
+#include "lib/figures/cloth.h"
 #include "lib/figures/patrician/patrician.h"
 #include "lib/figures/skeleton.h"
 
@@ -62,24 +62,18 @@ const std::array<glm::vec3, 7> upper = {{bodice_neckline[0],
 const std::array<glm::vec3, 3> shoulder_seam = {
     {bodice_neckline[2], {0.138f, 1.458f, -0.022f}, {0.172f, 1.446f, -0.016f}}};
 
-struct SleeveRow {
-    float along;
-    Girth girth;  // front, back, below, above
-};
-const std::array<SleeveRow, 2> sleeve_rows = {
-    {{0.100f, {0.052f, 0.054f, 0.062f, 0.043f}}, {0.255f, {0.058f, 0.058f, 0.072f, 0.042f}}}};
+// Girths: front, back, below, above.
+const std::vector<SleeveRow> sleeve_rows = {{0.100f, {0.052f, 0.054f, 0.062f, 0.043f}},
+                                            {0.255f, {0.058f, 0.058f, 0.072f, 0.042f}}};
 
 using Ring = std::array<uint32_t, columns>;
-
-Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
-size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
 
 Ring add_row(Mesh &mesh, const Row &row)
 {
     Ring ring{};
     for (int k = 0; k < columns; ++k) {
-        const Side side = side_of(k);
-        const glm::vec2 d = directions[half_of(k)];
+        const Side side = side_of<columns>(k);
+        const glm::vec2 d = directions[half_of<columns>(k)];
         const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
         const float across = mirrored(glm::vec3(d.x * row.side, 0, 0), side).x;
         const glm::vec3 p(d.x * row.side * fold, row.y + row.slant * across,
@@ -93,54 +87,16 @@ Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
 {
     Ring ring{};
     for (int k = 0; k < columns; ++k)
-        if (half[half_of(k)].y > 0)
-            ring[static_cast<size_t>(k)] = mesh.add(mirrored(half[half_of(k)], side_of(k)), Region::torso, side_of(k));
+        if (half[half_of<columns>(k)].y > 0)
+            ring[static_cast<size_t>(k)] =
+                mesh.add(mirrored(half[half_of<columns>(k)], side_of<columns>(k)), Region::torso, side_of<columns>(k));
     return ring;
-}
-
-// `count` columns from `first`, left to right as seen from outside.
-Chain span(const Ring &ring, int first, int count, float t)
-{
-    Chain chain;
-    for (int k = first; k < first + count; ++k)
-        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
-    return chain;
-}
-
-// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
-Chain doubled(Mesh &mesh, Chain chain)
-{
-    std::map<uint32_t, uint32_t> twins;
-    for (Corner &corner : chain) {
-        const Point point = mesh.points[corner.point];
-        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
-        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
-        corner.point = at->second;
-    }
-    return chain;
 }
 
 void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
 {
     mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
     mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
-}
-
-void add_sleeve(Mesh &mesh, Side side, const std::array<uint32_t, 6> &armhole)
-{
-    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
-    Chain before;
-    for (size_t i = 0; i < 7; ++i) before.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
-    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
-    for (const SleeveRow &row : sleeve_rows) {
-        const Chain next = ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along,
-                                               -arm_dorsal(), arm_thumbward(), row.girth),
-                                      -row.along);
-        mesh.sew(on(side, Chart::sleeve), winding_of(side), before, next, Along::s);
-        before = next;
-    }
-    const uint32_t inside = mesh.add(mirrored(shoulder + arm_direction() * 0.14f, side), Region::sleeve, side);
-    mesh.fan(on(side, Chart::sleeve_inside), winding_of(side), doubled(mesh, before), {inside, glm::vec2(-1, 0)});
 }
 
 void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
@@ -162,7 +118,8 @@ void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, floa
     const int front = left ? 1 : -2, back = left ? 4 : 7;
     mesh.sew(bodice_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
     mesh.sew(bodice_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
-    add_sleeve(mesh, side, {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)});
+    const std::array<uint32_t, 6> armhole = {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
+    add_sleeve(mesh, side, around(armhole, {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1}), sleeve_rows, 6, 0.14f);
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // The exomis as twelve columns of cloth from the hem above the knees over the rope to the armpits and shoulders. Bare
 // skin on breast and back is the same surface; the edge of the cloth is painted. The left shoulder has a cap sleeve;
 // the right one continues into the arm.
-#include <map>
 
 #include "lib/figures/brush.h"
+#include "lib/figures/cloth.h"
 #include "lib/figures/plebeian/plebeian.h"
 #include "lib/figures/skeleton.h"
 
@@ -64,29 +64,23 @@ const Half upper_right = {
 const std::array<glm::vec3, 3> seam_left = {{neckline[2], {0.136f, 1.466f, -0.022f}, {0.176f, 1.454f, -0.016f}}};
 const std::array<glm::vec3, 3> seam_right = {{neckline[2], {0.132f, 1.456f, -0.022f}, {0.168f, 1.448f, -0.016f}}};
 
-struct CuffRow {
-    float along;
-    Girth girth;  // front, back, below, above
-};
-const std::array<CuffRow, 2> cap_rows = {
-    {{0.100f, {0.060f, 0.060f, 0.066f, 0.052f}}, {0.200f, {0.064f, 0.062f, 0.076f, 0.049f}}}};
-const CuffRow deltoid = {0.092f, {0.051f, 0.052f, 0.046f, 0.051f}};
+// Girths: front, back, below, above.
+const std::vector<SleeveRow> cap_rows = {{0.100f, {0.060f, 0.060f, 0.066f, 0.052f}},
+                                         {0.200f, {0.064f, 0.062f, 0.076f, 0.049f}}};
+const SleeveRow deltoid = {0.092f, {0.051f, 0.052f, 0.046f, 0.051f}};
 
 using Ring = std::array<uint32_t, columns>;
-
-Side side_of(int column) { return column <= 6 ? Side::left : Side::right; }
-size_t half_of(int column) { return static_cast<size_t>(column <= 6 ? column : columns - column); }
 
 Ring add_row(Mesh &mesh, const Row &row)
 {
     Ring ring{};
     for (int k = 0; k < columns; ++k) {
-        const glm::vec2 d = directions[half_of(k)];
+        const glm::vec2 d = directions[half_of<columns>(k)];
         const float fold = 1 + folds[static_cast<size_t>(k)] * row.fold / 0.18f;
         const float y = row.y + row.dip * folds[static_cast<size_t>((k + 5) % columns)];
         const glm::vec3 p(d.x * row.side * fold, y, row.ahead + d.y * (d.y > 0 ? row.front : row.back) * fold);
-        ring[static_cast<size_t>(k)] =
-            mesh.add(mirrored(p, side_of(k)), row.y < 1.03f ? short_skirt : Region::torso, side_of(k));
+        ring[static_cast<size_t>(k)] = mesh.add(mirrored(p, side_of<columns>(k)),
+                                                row.y < 1.03f ? short_skirt : Region::torso, side_of<columns>(k));
     }
     return ring;
 }
@@ -103,32 +97,10 @@ Ring add_row(Mesh &mesh, const Half &left, const Half &right)
 {
     Ring ring{};
     for (int k = 0; k < columns; ++k) {
-        const glm::vec3 p = (side_of(k) == Side::left ? left : right)[half_of(k)];
-        if (p.y > 0) ring[static_cast<size_t>(k)] = shared(mesh, mirrored(p, side_of(k)), side_of(k));
+        const glm::vec3 p = (side_of<columns>(k) == Side::left ? left : right)[half_of<columns>(k)];
+        if (p.y > 0) ring[static_cast<size_t>(k)] = shared(mesh, mirrored(p, side_of<columns>(k)), side_of<columns>(k));
     }
     return ring;
-}
-
-// `count` columns from `first`, left to right as seen from outside.
-Chain span(const Ring &ring, int first, int count, float t)
-{
-    Chain chain;
-    for (int k = first; k < first + count; ++k)
-        chain.push_back({ring[static_cast<size_t>((k + columns) % columns)], glm::vec2(static_cast<float>(k), t)});
-    return chain;
-}
-
-// A copy of an edge with points of its own, so that normals are not shared across a sharp bend.
-Chain doubled(Mesh &mesh, Chain chain)
-{
-    std::map<uint32_t, uint32_t> twins;
-    for (Corner &corner : chain) {
-        const Point point = mesh.points[corner.point];
-        const auto [at, fresh] = twins.try_emplace(corner.point, 0);
-        if (fresh) at->second = mesh.add(point.position, point.region, point.side);
-        corner.point = at->second;
-    }
-    return chain;
 }
 
 Ring twin(Mesh &mesh, const Ring &ring)
@@ -145,42 +117,23 @@ void sew_rows(Mesh &mesh, const Ring &low, const Ring &high, float t_low, float 
     mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 3, 7, t_low), span(high, 3, 7, t_high), Along::s);
 }
 
-using Armhole = std::array<uint32_t, 6>;  // from behind over the shoulder to the front and below
-
-Chain around(const Armhole &armhole)
-{
-    const std::array<float, 7> places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
-    Chain chain;
-    for (size_t i = 0; i < 7; ++i) chain.push_back({armhole[i % 6], glm::vec2(places[i], 0)});
-    return chain;
-}
-
-Chain add_cuff(Mesh &mesh, Side side, const CuffRow &row)
-{
-    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
-    return ring_chain(add_ring(mesh, Region::sleeve, side, 6, shoulder + arm_direction() * row.along, -arm_dorsal(),
-                               arm_thumbward(), row.girth),
-                      -row.along);
-}
+using Armhole = std::array<uint32_t, 6>;
+constexpr std::array<float, 7> armhole_places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
 
 void add_cap_sleeve(Mesh &mesh, const Armhole &armhole)
 {
-    Chain before = around(armhole);
-    for (const CuffRow &row : cap_rows) {
-        const Chain next = add_cuff(mesh, Side::left, row);
-        mesh.sew(Chart::sleeve, Winding::as_given, before, next, Along::s);
-        before = next;
-    }
-    const glm::vec3 deep = skeleton().joint(Bone::upper_arm) + arm_direction() * 0.13f;
-    mesh.fan(Chart::sleeve_inside, Winding::as_given, doubled(mesh, before),
-             {mesh.add(deep, Region::sleeve), glm::vec2(-1, 0)});
+    add_sleeve(mesh, Side::left, around(armhole, armhole_places), cap_rows, 6, 0.13f);
     add_arm(mesh, Side::left);
 }
 
 void add_bare_shoulder(Mesh &mesh, const Armhole &armhole)
 {
-    const Chain muscle = add_cuff(mesh, Side::right, deltoid);
-    mesh.sew(Chart::sleeve_r, winding_of(Side::right), around(armhole), muscle, Along::s);
+    const glm::vec3 shoulder = skeleton().joint(Bone::upper_arm);
+    const Chain muscle =
+        ring_chain(add_ring(mesh, Region::sleeve, Side::right, 6, shoulder + arm_direction() * deltoid.along,
+                            -arm_dorsal(), arm_thumbward(), deltoid.girth),
+                   -deltoid.along);
+    mesh.sew(Chart::sleeve_r, winding_of(Side::right), around(armhole, armhole_places), muscle, Along::s);
     // The arm begins with a ring of six.
     const uint32_t first = static_cast<uint32_t>(mesh.points.size());
     add_arm(mesh, Side::right);
