@@ -134,6 +134,7 @@ std::optional<std::vector<Actor>> actors_of(const fs::path &folder, const Captur
         sizes = s->as<float>();
     }
     std::vector<Actor> out;
+    size_t vertices = 0;
     for (size_t row = 0; row < table.rows(); ++row) {
         const uint32_t mesh = table.at(row, "mesh");
         if (mesh >= info.meshes.size())
@@ -146,8 +147,16 @@ std::optional<std::vector<Actor>> actors_of(const fs::path &folder, const Captur
         if (a.vertex_count != info.meshes[mesh].vertices)
             table.fail(row, std::to_string(a.vertex_count) + " vertices of a mesh that has " +
                                 std::to_string(info.meshes[mesh].vertices));
+        vertices += a.vertex_count;
         out.push_back(std::move(a));
     }
+    const auto expect_count = [&](const char *what, size_t has, size_t says) {
+        if (has != says)
+            throw Unreadable((folder / "actors.npy").string() + " has " + std::to_string(has) + " " + what +
+                             ", and capture.json says " + std::to_string(says));
+    };
+    expect_count("actors", out.size(), info.actors);
+    expect_count("vertices", vertices, info.vertices);
     return out;
 }
 
@@ -159,7 +168,8 @@ Capture read_capture(const std::string &folder)
     std::error_code error;
     if (!fs::is_directory(at, error)) throw Unreadable(folder + " is not a folder");
     const Bytes json = bytes_of(at / "capture.json");
-    const CaptureInfo info = capture_info(std::string(json.begin(), json.end()), (at / "capture.json").string());
+    const CaptureInfo info = capture_info(std::string(json.begin(), json.end()), (at / "capture.json").string(),
+                                          fs::exists(at / "actors.npy", error));
     Capture out;
     out.folder = folder;
     out.renderer = info.renderer;

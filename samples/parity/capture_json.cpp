@@ -40,6 +40,7 @@ public:
         if (value != std::floor(value)) fail(key, "a whole number");
         return static_cast<size_t>(value);
     }
+    const Json &any(const char *key) const { return field(key); }
     const Json &list(const char *key) const
     {
         const Json &v = field(key);
@@ -61,7 +62,7 @@ private:
     {
         const auto it = json_.find(key);
         if (!json_.is_object() || it == json_.end())
-            throw Unreadable(path_ + " has no '" + key + "'; docs/parity.md lists what it needs");
+            throw Unreadable(path_ + " has no '" + key + "'; docs/parity.md lists what a result needs");
         return *it;
     }
     [[noreturn]] void fail(const char *key, const char *what) const
@@ -73,10 +74,8 @@ private:
     const std::string &path_;
 };
 
-std::string scene_text(const Json &json)
+std::string text_of(const Json &scene)
 {
-    if (!json.is_object() || !json.contains("scene")) return {};
-    const Json &scene = json["scene"];
     return scene.is_string() ? scene.get<std::string>() : scene.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -105,7 +104,7 @@ void read_meshes(const Json &json, const std::string &path, CaptureInfo &out)
 
 }  // namespace
 
-CaptureInfo capture_info(const std::string &capture, const std::string &path)
+CaptureInfo capture_info(const std::string &capture, const std::string &path, bool has_table)
 {
     std::string problem;
     const Json json = io::parse_json<Json>(capture, problem);
@@ -115,13 +114,17 @@ CaptureInfo capture_info(const std::string &capture, const std::string &path)
     const size_t version = fields.whole("version", UINT32_MAX);
     if (version != format_version)
         throw Unreadable(path + " is of version " + std::to_string(version) + ", and version 1 can be read");
+    const std::string kind = fields.text("kind");
+    if (kind != "result") throw Unreadable(path + ": its kind is '" + kind + "', and a result is expected");
     CaptureInfo out;
     out.renderer = fields.text("renderer");
-    out.scene = scene_text(json);
+    out.scene = text_of(fields.any("scene"));
     out.width = static_cast<int>(fields.number("width", 1, most_side));
     out.height = static_cast<int>(fields.number("height", 1, most_side));
     out.time_s = fields.number("time_s", -1e12, 1e12);
-    if (!json.contains("meshes")) return out;
+    if (!has_table) return out;
+    out.actors = fields.whole("actors", UINT32_MAX);
+    out.vertices = fields.whole("vertices", UINT32_MAX);
     out.actor_columns = fields.texts("actor_columns");
     read_meshes(json, path, out);
     return out;

@@ -16,11 +16,13 @@ struct CaptureInfo {
     std::string renderer, scene;
     int width = 0, height = 0;
     double time_s = 0;
+    // Of a folder with actors.npy:
+    size_t actors = 0, vertices = 0;
     std::vector<MeshInfo> meshes;
     std::vector<std::string> actor_columns;
 };
 
-// path: for error messages. Throws Unreadable.
-CaptureInfo capture_info(const std::string &capture, const std::string &path);
+// path: for error messages; has_table: the folder has an actors.npy, which needs more fields. Throws Unreadable.
+CaptureInfo capture_info(const std::string &capture, const std::string &path, bool has_table);
 
 }  // namespace parity

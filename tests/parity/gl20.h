@@ -81,6 +81,7 @@ constexpr unsigned transform_feedback_buffer = 0x8C8E, interleaved_attribs = 0x8
     X(int, GetUniformLocation, (unsigned, const char *))                                       \
     X(void, Uniform1i, (int, int))                                                             \
     X(void, Uniform1f, (int, float))                                                           \
+    X(void, Uniform2fv, (int, int, const float *))                                             \
     X(void, Uniform3fv, (int, int, const float *))                                             \
     X(void, Uniform4fv, (int, int, const float *))
 

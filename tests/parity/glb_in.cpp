@@ -99,6 +99,20 @@ void read_attributes(const Glb &glb, const Json &attributes, Mesh &out)
     }
 }
 
+// The triangles of a dirty primitive once more for each zone that they may show.
+void read_dirty_zones(const Glb &glb, const Json &primitive, Mesh &out)
+{
+    const Json &extras = primitive.at("extras");
+    if (!extras.at("zone").is_null()) return;
+    const size_t material = primitive.at("material").get<size_t>();
+    for (size_t i = 0; i < extras.at("zones").size(); ++i) {
+        const auto indices = glb.accessor<uint32_t>(extras.at("zone_indices").at(i).get<size_t>());
+        out.zone_ranges.push_back(
+            {extras.at("zones").at(i).get<uint32_t>(), {material, out.indices.size(), indices.size()}});
+        out.indices.insert(out.indices.end(), indices.begin(), indices.end());
+    }
+}
+
 Mesh mesh_of(const Glb &glb, const Json &json)
 {
     Mesh out;
@@ -112,9 +126,13 @@ Mesh mesh_of(const Glb &glb, const Json &json)
         const auto indices = glb.accessor<uint32_t>(primitive.at("indices").get<size_t>());
         if (out.ranges.empty() || out.ranges.back().material != material)
             out.ranges.push_back({material, out.indices.size(), 0});
+        const Json &zone = primitive.at("extras").at("zone");
+        if (!zone.is_null())
+            out.zone_ranges.push_back({zone.get<uint32_t>(), {material, out.indices.size(), indices.size()}});
         out.indices.insert(out.indices.end(), indices.begin(), indices.end());
         out.ranges.back().count += indices.size();
     }
+    for (const Json &primitive : json.at("primitives")) read_dirty_zones(glb, primitive, out);
     for (size_t i = 0; i < out.targets.size(); ++i)
         out.targets[i].weight = json.at("extras").at("morph_weights").at(i).get<uint32_t>();
     return out;

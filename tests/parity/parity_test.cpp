@@ -39,7 +39,7 @@ protected:
     std::string path(const char *name) const { return (folder_ / name).string(); }
 
     // Exports, captures, and has the peer draw it.
-    void run(const scenes::SceneOptions &options, double time_s)
+    void run(const scenes::SceneOptions &options, double time_s, const PeerOptions &peer_options = {})
     {
         const parity::CaptureTime capture_time = {options.scene, time_s, options.width, options.height};
         {
@@ -51,7 +51,7 @@ protected:
         std::string why_not;
         const auto context = contexts::make_offscreen(contexts::Kind::any, scene.width, scene.height,
                                                       contexts::PixelFormat::rgba8888, why_not);
-        Peer peer(*context, scene);
+        Peer peer(*context, scene, peer_options);
         write_result(*context, peer, scene, path("scene"), path("result"));
     }
 
@@ -84,9 +84,9 @@ protected:
         return static_cast<double>(over) / static_cast<double>(covered);
     }
 
-    void hold(const scenes::SceneOptions &options, double time_s)
+    void hold(const scenes::SceneOptions &options, double time_s, const PeerOptions &peer_options = {})
     {
-        run(options, time_s);
+        run(options, time_s, peer_options);
         const parity::Verdict found = verdict();
         EXPECT_TRUE(found.pass) << parity::reasons(found, 10);
         ASSERT_NE(found.find("positions.max_relative"), nullptr);
@@ -123,6 +123,23 @@ TEST_F(Parity, HoldsForTenThousand) { hold(options_of("ten_thousand", 10000), 2)
 TEST_F(Parity, HoldsInHazeForRigidParts) { hold(options_of("town_sky", 300), 3); }
 
 TEST_F(Parity, HoldsForActorsThatBehave) { hold(options_of("hundred_actors", 100), 3); }
+
+// Dirty triangles are drawn once for each of their zones, so a zone that the scene does not name would be a gap.
+TEST_F(Parity, HoldsZoneByZone)
+{
+    scenes::SceneOptions options = options_of("odeon", 0);
+    options.crowd_options.lod = scenes::Lod::on;
+    hold(options, 2, {Limiting::zones});
+}
+
+TEST_F(Parity, FailsWhereLightIsLimitedAtPixels)
+{
+    run(options_of("odeon", 0), 2, {Limiting::pixels});
+    const parity::Verdict found = verdict();
+    EXPECT_FALSE(found.pass);
+    EXPECT_NE(parity::reasons(found, 10).find("colour.over_2"), std::string::npos) << parity::reasons(found, 10);
+    EXPECT_TRUE(found.find("zone_ids.at_borders")->kept);
+}
 
 // What is compared would show a crowd one tick late.
 TEST_F(Parity, FailsOneTickLater)

@@ -15,7 +15,8 @@ const void *offset(size_t bytes) { return reinterpret_cast<const void *>(bytes);
 
 }  // namespace
 
-Peer::Peer(const contexts::Offscreen &context, const SceneIn &scene) : gl_(context), scene_(scene)
+Peer::Peer(const contexts::Offscreen &context, const SceneIn &scene, const PeerOptions &options)
+    : gl_(context), scene_(scene), options_(options)
 {
     for (const Individual &who : scene.individuals) most_joints_ = std::max<size_t>(most_joints_, who.palette_count);
     int components = 0;
@@ -169,7 +170,8 @@ Variant Peer::variant_for(const Individual &who, const Range &range) const
 {
     const Mesh &mesh = scene_.meshes[who.mesh];
     const Material &material = scene_.materials[range.material];
-    return {what_, most_joints_, mesh.joints.size(), mesh.normals_by_inverse, material.double_sided, material.holes};
+    return {what_,          most_joints_,      mesh.joints.size(),    mesh.normals_by_inverse, material.double_sided,
+            material.holes, options_.limiting, options_.subpixel_bits};
 }
 
 void Peer::use_program(const Individual &who, const Variant &variant, size_t row, const float *palette)
@@ -205,16 +207,38 @@ void Peer::draw(const Individual &who, size_t row, const float *palette, const f
         gl_.BindTexture(gl::texture_2d, atlases_[atlas_]);
         gl_.ActiveTexture(gl::texture0);
     }
-    for (const Range &range : scene_.meshes[who.mesh].ranges) {
-        const Material &material = scene_.materials[range.material];
-        use_program(who, variant_for(who, range), row, palette);
-        if (range.material != material_) {
-            gl_.BindTexture(gl::texture_2d, textures_[material.texture]);
-            material.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);
-            material_ = range.material;
-        }
-        gl_.DrawElements(gl::triangles, static_cast<int>(range.count), gl::unsigned_int, offset(4 * range.first));
+    const Mesh &mesh = scene_.meshes[who.mesh];
+    if (options_.limiting != Limiting::zones) {
+        for (const Range &range : mesh.ranges) draw_range(who, range, row, palette);
+        return;
     }
+    for (const ZoneRange &part : mesh.zone_ranges) {
+        use_program(who, variant_for(who, part.range), row, palette);
+        set_zone(row, part.zone);
+        draw_range(who, part.range, row, palette);
+    }
+}
+
+void Peer::draw_range(const Individual &who, const Range &range, size_t row, const float *palette)
+{
+    const Material &material = scene_.materials[range.material];
+    use_program(who, variant_for(who, range), row, palette);
+    if (range.material != material_) {
+        gl_.BindTexture(gl::texture_2d, textures_[material.texture]);
+        material.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);
+        material_ = range.material;
+    }
+    gl_.DrawElements(gl::triangles, static_cast<int>(range.count), gl::unsigned_int, offset(4 * range.first));
+}
+
+// The colour that an atlas look-up would find for the zone.
+void Peer::set_zone(size_t row, uint32_t zone)
+{
+    const size_t key = zone + 1;
+    float rgb[3];
+    for (size_t k = 0; k < 3; ++k) rgb[k] = static_cast<float>(scene_.atlas[3 * (row * atlas_columns + key) + k]) / 255;
+    if (program_->key >= 0) gl_.Uniform1f(program_->key, static_cast<float>(key));
+    if (program_->zone_colour >= 0) gl_.Uniform3fv(program_->zone_colour, 1, rgb);
 }
 
 void Peer::draw_all(What what)

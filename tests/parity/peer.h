@@ -11,12 +11,17 @@
 namespace parity_test
 {
 
+struct PeerOptions {
+    Limiting limiting = Limiting::knots;
+    int subpixel_bits = 0;  // as Variant has it: what a coarse rasteriser would show
+};
+
 class Peer
 {
 public:
     // The context must be current, here and below. `scene` must outlive this object. Throws Failure, also if a palette
     // does not fit this OpenGL's uniforms.
-    Peer(const contexts::Offscreen &context, const SceneIn &scene);
+    Peer(const contexts::Offscreen &context, const SceneIn &scene, const PeerOptions &options = {});
     ~Peer();
     Peer(const Peer &) = delete;
     Peer &operator=(const Peer &) = delete;
@@ -36,7 +41,7 @@ public:
 private:
     struct Program {
         unsigned name = 0;
-        int palette = -1, normal_palette = -1, row = -1, id = -1;
+        int palette = -1, normal_palette = -1, row = -1, id = -1, key = -1, zone_colour = -1;
     };
     struct Buffers {
         unsigned shape = 0, indices = 0;  // names
@@ -51,10 +56,13 @@ private:
     void use_mesh(const Individual &who, const float *weights);
     void bind_morphed(const Mesh &mesh, const float *weights);
     Variant variant_for(const Individual &who, const Range &range) const;
+    void draw_range(const Individual &who, const Range &range, size_t row, const float *palette);
+    void set_zone(size_t row, uint32_t zone);
     void use_program(const Individual &who, const Variant &variant, size_t row, const float *palette);
 
     Gl20 gl_;
     const SceneIn &scene_;
+    PeerOptions options_;
     size_t most_joints_ = 1;
     std::map<Variant, Program> programs_;
     std::vector<unsigned> textures_, atlases_;

@@ -1,4 +1,6 @@
 // Compiles shaders to programs and uploads the data that all individuals of a scene share.
+#include <cmath>
+
 #include "tests/parity/peer.h"
 
 namespace parity_test
@@ -49,6 +51,8 @@ const Peer::Program &Peer::program_for(const Variant &variant)
     out.normal_palette = gl_.GetUniformLocation(out.name, "normal_palette");
     out.row = gl_.GetUniformLocation(out.name, "row");
     out.id = gl_.GetUniformLocation(out.name, "id");
+    out.key = gl_.GetUniformLocation(out.name, "key");
+    out.zone_colour = gl_.GetUniformLocation(out.name, "zone_colour");
     set_scene_uniforms(out.name);
     program_ = nullptr;
     return programs_[variant] = out;
@@ -68,7 +72,14 @@ void Peer::set_scene_uniforms(unsigned program)
         gl_.Uniform3fv(place("light_ambient" + at), 1, light.ambient.data());
         gl_.Uniform3fv(place("light_diffuse" + at), 1, light.diffuse.data());
         gl_.Uniform3fv(place("light_attenuation" + at), 1, light.attenuation.data());
+        constexpr double radians = 0.017453292519943295;
+        const float spot[4] = {light.spot_direction[0], light.spot_direction[1], light.spot_direction[2],
+                               static_cast<float>(std::cos(static_cast<double>(light.spot_cutoff_deg) * radians))};
+        gl_.Uniform4fv(place("light_spot" + at), 1, spot);
+        gl_.Uniform1f(place("light_exponent" + at), light.spot ? light.spot_exponent : -1.0f);
     }
+    const float half_picture[2] = {static_cast<float>(scene_.width) / 2, static_cast<float>(scene_.height) / 2};
+    gl_.Uniform2fv(place("half_picture"), 1, half_picture);
     gl_.Uniform3fv(place("fog_colour"), 1, scene_.fog.colour.data());
     gl_.Uniform1f(place("fog_density"), scene_.fog.density);
     gl_.Uniform1f(place("fog_start"), scene_.fog.start);

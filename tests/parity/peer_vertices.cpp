@@ -17,7 +17,7 @@ bool Peer::skin(std::vector<float> &positions, std::vector<float> &normals)
         const Mesh &mesh = scene_.meshes[who.mesh];
         use_mesh(who, scene_.weights.data() + who.first_weight);
         palette_is_set_ = false;
-        use_program(who, {What::vertices, most_joints_, mesh.joints.size(), mesh.normals_by_inverse, false, false}, 0,
+        use_program(who, {What::vertices, most_joints_, mesh.joints.size(), mesh.normals_by_inverse}, 0,
                     scene_.palettes.data() + 12 * static_cast<size_t>(who.first_palette));
         const ptrdiff_t size = static_cast<ptrdiff_t>(24 * mesh.vertices);
         gl_.BindBuffer(gl::transform_feedback_buffer, caught);

@@ -24,9 +24,21 @@ Lighting lighting_of(const Json &json)
     Lighting out;
     out.enabled = json.at("enabled").get<bool>();
     out.ambient = numbers<3>(json.at("ambient"));
-    for (const Json &light : json.at("lights"))
-        out.lights.push_back({numbers<4>(light.at("position_eye")), numbers<3>(light.at("ambient")),
-                              numbers<3>(light.at("diffuse")), numbers<3>(light.at("attenuation"))});
+    for (const Json &light : json.at("lights")) {
+        Light made;
+        made.position = numbers<4>(light.at("position_eye"));
+        made.ambient = numbers<3>(light.at("ambient"));
+        made.diffuse = numbers<3>(light.at("diffuse"));
+        made.attenuation = numbers<3>(light.at("attenuation"));
+        made.spot = light.contains("spot");
+        if (made.spot) {
+            const Json &spot = light.at("spot");
+            made.spot_direction = numbers<3>(spot.at("direction_eye"));
+            made.spot_exponent = spot.at("exponent").get<float>();
+            made.spot_cutoff_deg = spot.at("cutoff_deg").get<float>();
+        }
+        out.lights.push_back(made);
+    }
     return out;
 }
 

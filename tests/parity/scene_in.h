@@ -35,6 +35,12 @@ struct Range {
     size_t material = 0, first = 0, count = 0;
 };
 
+// Triangles of one material that may show a zone: a clean primitive, or that part of a dirty one.
+struct ZoneRange {
+    uint32_t zone = 0;
+    Range range;
+};
+
 struct Mesh {
     size_t vertices = 0;
     std::vector<float> positions, normals, uvs;
@@ -43,6 +49,7 @@ struct Mesh {
     std::vector<MorphTarget> targets;
     std::vector<uint32_t> indices;
     std::vector<Range> ranges;
+    std::vector<ZoneRange> zone_ranges;  // the same, zone by zone
     bool normals_by_inverse = false;
 };
 
@@ -56,6 +63,9 @@ struct Individual {
 struct Light {
     std::array<float, 4> position{};
     std::array<float, 3> ambient{}, diffuse{}, attenuation{};
+    bool spot = false;
+    std::array<float, 3> spot_direction{};
+    float spot_exponent = 0, spot_cutoff_deg = 180;
 };
 
 struct Lighting {

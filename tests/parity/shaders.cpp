@@ -12,8 +12,9 @@ const char *const attribute_names[attribute_count] = {"position", "normal",  "uv
 
 bool Variant::operator<(const Variant &o) const
 {
-    return std::tie(what, joints, sets, normals_by_inverse, double_sided, holes) <
-           std::tie(o.what, o.joints, o.sets, o.normals_by_inverse, o.double_sided, o.holes);
+    return std::tie(what, joints, sets, normals_by_inverse, double_sided, holes, limiting, subpixel_bits) <
+           std::tie(o.what, o.joints, o.sets, o.normals_by_inverse, o.double_sided, o.holes, o.limiting,
+                    o.subpixel_bits);
 }
 
 double most_light(const Lighting &lighting)
@@ -58,8 +59,12 @@ uniform vec4 normal_palette[3 * JOINTS];
 #if LIGHTS > 0
 uniform vec4 light_position[LIGHTS];
 uniform vec3 light_ambient[LIGHTS], light_diffuse[LIGHTS], light_attenuation[LIGHTS];
+uniform vec4 light_spot[LIGHTS];       // the direction, and the cosine of the cutoff
+uniform float light_exponent[LIGHTS];  // below 0: no spot
 #endif
 uniform vec3 scene_ambient;
+uniform vec3 zone_colour;
+uniform vec2 half_picture;
 #ifdef VERTICES
 varying vec3 out_position, out_normal;
 #endif
@@ -98,6 +103,10 @@ vec3 light(vec3 n, vec3 eye)
             float d = length(to_light);
             strength = 1.0 / dot(light_attenuation[i], vec3(1.0, d, d * d));
         }
+        if (light_exponent[i] >= 0.0) {
+            float along = dot(-normalize(to_light), normalize(light_spot[i].xyz));
+            strength *= along < light_spot[i].w ? 0.0 : pow(max(along, 0.0), light_exponent[i]);
+        }
         sum += strength * (light_ambient[i] + max(dot(n, normalize(to_light)), 0.0) * light_diffuse[i]);
     }
 #endif
@@ -133,14 +142,26 @@ void main()
 #endif
     v = vec4(skinned, 1.0);
     gl_Position = gl_ModelViewProjectionMatrix * v;
+#ifdef SUBPIXELS
+    if (gl_Position.w > 0.0) {
+        vec2 at_picture = gl_Position.xy / gl_Position.w * half_picture + half_picture;
+        at_picture = floor(at_picture * SUBPIXELS + 0.5) / SUBPIXELS;
+        gl_Position.xy = (at_picture - half_picture) / half_picture * gl_Position.w;
+    }
+#endif
     at = uv;
 #ifdef COLOUR
     vec3 eye = (gl_ModelViewMatrix * v).xyz;
     n = normalize(gl_NormalMatrix * n);
-    vec3 lit = light(n, eye) * colour.rgb;
+#ifdef BY_ZONE
+    vec3 own = colour.rgb * zone_colour;
+#else
+    vec3 own = colour.rgb;
+#endif
+    vec3 lit = light(n, eye) * own;
     for (int k = 0; k < KNOTS; ++k) front[k] = min(lit, LIMIT(k));
 #ifdef DOUBLE_SIDED
-    lit = light(-n, eye) * colour.rgb;
+    lit = light(-n, eye) * own;
     for (int k = 0; k < KNOTS; ++k) behind[k] = min(lit, LIMIT(k));
 #endif
     distance_to_eye = abs(eye.z);
@@ -150,7 +171,7 @@ void main()
 
 constexpr const char *fragment_text = R"(
 uniform sampler2D texels, atlas;
-uniform float row;
+uniform float row, key;
 uniform vec3 id, fog_colour;
 uniform float fog_density, fog_start, fog_end;
 varying vec3 front[KNOTS];
@@ -174,11 +195,18 @@ vec3 limited(vec3 zone, vec3 light[KNOTS])
 void main()
 {
     vec4 texel = texture2D(texels, at);
+#ifdef BY_ZONE
+    if (abs(texel.a * 255.0 - key) > 0.5) discard;
+#endif
 #ifdef HOLES
     if (texel.a < 0.5 / 255.0) discard;
 #endif
 #ifdef COLOUR
+#ifdef BY_ZONE
+    vec3 zone = vec3(1.0);
+#else
     vec3 zone = texture2D(atlas, vec2((texel.a * 255.0 + 0.5) / 256.0, row)).rgb;
+#endif
 #ifdef DOUBLE_SIDED
     vec3 lit = gl_FrontFacing ? limited(zone, front) : limited(zone, behind);
 #else
@@ -210,11 +238,13 @@ std::string defines_of(const Variant &variant, const Lighting &lighting)
     if (variant.double_sided) out += "#define DOUBLE_SIDED\n";
     if (variant.normals_by_inverse) out += "#define NORMALS_BY_INVERSE\n";
     if (variant.holes) out += "#define HOLES\n";
+    if (variant.limiting == Limiting::zones) out += "#define BY_ZONE\n";
     const double most = most_light(lighting);
-    const int knots = most > 1 ? most_knots : 1;
+    const int knots = most > 1 && variant.limiting == Limiting::knots ? most_knots : 1;
     const double step = knots > 1 ? (most - 1) / (knots - 1) : 1;
+    const std::string last = variant.limiting == Limiting::zones ? "1.0" : "1.0e6";
     out += "#define KNOTS " + std::to_string(knots) + "\n#define KNOTS_A_UNIT " + std::to_string(1 / step) +
-           "\n#define LIMIT(k) ((k) == KNOTS - 1 ? 1.0e6 : 1.0 + float(k) * " + std::to_string(step) + ")\n";
+           "\n#define LIMIT(k) ((k) == KNOTS - 1 ? " + last + " : 1.0 + float(k) * " + std::to_string(step) + ")\n";
     return out;
 }
 
@@ -224,7 +254,10 @@ std::string vertex_shader(const Variant &variant, const Lighting &lighting)
 {
     return defines_of(variant, lighting) + "#define JOINTS " + std::to_string(variant.joints) + "\n#define SETS " +
            std::to_string(variant.sets) + "\n#define LIGHTS " + std::to_string(lighting.lights.size()) +
-           (lighting.enabled ? "\n#define LIT" : "") + vertex_text;
+           (lighting.enabled ? "\n#define LIT" : "") +
+           (variant.subpixel_bits > 0 ? "\n#define SUBPIXELS " + std::to_string(1 << variant.subpixel_bits) + ".0"
+                                      : "") +
+           vertex_text;
 }
 
 std::string fragment_shader(const Variant &variant, const Lighting &lighting, const Fog &fog)

@@ -11,11 +11,17 @@ namespace parity_test
 
 enum class What { colour, actor, zone, vertices };
 
+// Where light times the zone's colour is limited to 1 (docs/parity.md): at vertices by knots, at vertices of one zone
+// at a time, or at pixels, which is not what OpenGL 1.1 does.
+enum class Limiting { knots, zones, pixels };
+
 // Options of a compiled program.
 struct Variant {
     What what = What::colour;
     size_t joints = 1, sets = 1;  // sets of four influences
     bool normals_by_inverse = false, double_sided = false, holes = false;
+    Limiting limiting = Limiting::knots;
+    int subpixel_bits = 0;  // to which the vertex shader rounds positions in the picture; 0: it does not
     bool operator<(const Variant &o) const;
 };
 

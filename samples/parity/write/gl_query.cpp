@@ -11,10 +11,12 @@ namespace
 
 constexpr unsigned lighting = 0x0B50, light_model_ambient = 0x0B53;
 constexpr unsigned light0 = 0x4000, max_lights = 0x0D31;
-constexpr unsigned ambient = 0x1200, diffuse = 0x1201, position = 0x1203, spot_cutoff = 0x1206;
+constexpr unsigned ambient = 0x1200, diffuse = 0x1201, position = 0x1203;
+constexpr unsigned spot_direction = 0x1204, spot_exponent = 0x1205, spot_cutoff = 0x1206;
 constexpr unsigned constant_attenuation = 0x1207, linear_attenuation = 0x1208, quadratic_attenuation = 0x1209;
 constexpr unsigned fog = 0x0B60, fog_density = 0x0B62, fog_start = 0x0B63, fog_end = 0x0B64, fog_mode = 0x0B65,
                    fog_color = 0x0B66;
+constexpr unsigned subpixel_bits_name = 0x0D50;
 constexpr unsigned exp_mode = 0x0800, exp2_mode = 0x0801;
 
 class Query
@@ -68,20 +70,24 @@ private:
 
 Json light_of(const Query &query, unsigned light)
 {
-    if (query.of_light(light, spot_cutoff)[0] != 180.0f)
-        throw scenes::Failure("light " + std::to_string(light - light0) +
-                              " is a spot, which a parity folder cannot describe");
-    const auto rgb = [&](unsigned name) {
+    const auto three = [&](unsigned name) {
         const std::array<float, 4> c = query.of_light(light, name);
         return Json{c[0], c[1], c[2]};
     };
     const std::array<float, 4> at = query.of_light(light, position);
-    return {{"position_eye", at},
-            {"ambient", rgb(ambient)},
-            {"diffuse", rgb(diffuse)},
-            {"attenuation",
-             {query.of_light(light, constant_attenuation)[0], query.of_light(light, linear_attenuation)[0],
-              query.of_light(light, quadratic_attenuation)[0]}}};
+    Json out = {{"position_eye", at},
+                {"ambient", three(ambient)},
+                {"diffuse", three(diffuse)},
+                {"attenuation",
+                 {query.of_light(light, constant_attenuation)[0], query.of_light(light, linear_attenuation)[0],
+                  query.of_light(light, quadratic_attenuation)[0]}}};
+    const float cutoff = query.of_light(light, spot_cutoff)[0];
+    constexpr float none = 180;
+    if (cutoff != none)
+        out["spot"] = {{"direction_eye", three(spot_direction)},
+                       {"exponent", query.of_light(light, spot_exponent)[0]},
+                       {"cutoff_deg", cutoff}};
+    return out;
 }
 
 }  // namespace
@@ -96,6 +102,8 @@ Json lighting_of(const contexts::Offscreen &context)
         if (query.on(light)) out["lights"].push_back(light_of(query, light));
     return out;
 }
+
+int subpixel_bits(const contexts::Offscreen &context) { return Query(context).whole(subpixel_bits_name); }
 
 Json fog_of(const contexts::Offscreen &context)
 {

@@ -7,8 +7,10 @@
 namespace parity
 {
 
-// The context must be current. Both throw scenes::Failure for state that a parity folder cannot describe.
+// The context must be current. All throw scenes::Failure if it lacks a function.
 Json lighting_of(const contexts::Offscreen &context);
 Json fog_of(const contexts::Offscreen &context);  // null if there is none
+// In each direction, to which the rasteriser rounds the position of a vertex in the picture.
+int subpixel_bits(const contexts::Offscreen &context);
 
 }  // namespace parity

@@ -22,13 +22,13 @@ Materials::Image Materials::image(const clq_template *tmpl, uint32_t texture, ui
     if (known != images_.end()) return known->second;
     const Texels texels(tmpl, texture, texture_set);
     const std::vector<uint8_t> png = png_of(texels);
-    clq_wrap s, t;
-    scenes::check(clq_template_get_wrap(tmpl, texture, &s, &t));
     const auto wrap = [](clq_wrap w) { return w == CLQ_WRAP_CLAMP ? clamp_to_edge : repeat; };
     Glb::Json &json = glb_.json;
     json["images"].push_back({{"mimeType", "image/png"}, {"bufferView", glb_.view(png.data(), png.size())}});
-    json["samplers"].push_back(
-        {{"magFilter", nearest_filter}, {"minFilter", nearest_filter}, {"wrapS", wrap(s)}, {"wrapT", wrap(t)}});
+    json["samplers"].push_back({{"magFilter", nearest_filter},
+                                {"minFilter", nearest_filter},
+                                {"wrapS", wrap(texels.wrap_s)},
+                                {"wrapT", wrap(texels.wrap_t)}});
     json["textures"].push_back({{"sampler", json["samplers"].size() - 1}, {"source", json["images"].size() - 1}});
     const bool holes = std::find(texels.zones.begin(), texels.zones.end(), CLQ_NONE) != texels.zones.end();
     return images_[key] = {json["textures"].size() - 1, holes};

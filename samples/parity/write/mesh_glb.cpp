@@ -129,12 +129,17 @@ Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level)
     return out;
 }
 
-void dress(Json &mesh, Materials &materials, const clq_template *tmpl, const MeshName &name)
+void dress(Json &mesh, Materials &materials, DirtyZones &dirty_zones, const clq_template *tmpl, const MeshName &name)
 {
+    clq_mesh arrays = clq_mesh_init();
+    check(clq_template_get_mesh(tmpl, name.level, &arrays));
     for (uint32_t bin = 0; bin < mesh["primitives"].size(); ++bin) {
         clq_triangles triangles = clq_triangles_init();
         check(clq_template_get_triangles(tmpl, name.level, bin, &triangles));
-        mesh["primitives"][bin]["material"] = materials.material(tmpl, triangles, name.texture_set);
+        Json &primitive = mesh["primitives"][bin];
+        primitive["material"] = materials.material(tmpl, triangles, name.texture_set);
+        if (triangles.zone == CLQ_NONE)
+            dirty_zones.describe(primitive["extras"], tmpl, triangles, arrays.uvs, name.texture_set);
     }
 }
 

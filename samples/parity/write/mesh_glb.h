@@ -4,8 +4,8 @@
 #include <map>
 #include <tuple>
 
+#include "samples/parity/write/dirty_zones_glb.h"
 #include "samples/parity/write/drawn_actors.h"
-#include "samples/parity/write/glb.h"
 
 namespace parity
 {
@@ -29,9 +29,10 @@ private:
     std::map<std::pair<size_t, int32_t>, size_t> materials_;  // by texture and sidedness
 };
 
-// mesh_json: the glTF mesh without materials; dress: adds the materials, in which alone texture sets differ. Both
-// throw scenes::Failure.
+// mesh_json: the glTF mesh without materials; dress: adds the materials and the zones of dirty primitives, in which
+// alone texture sets differ. Both throw scenes::Failure.
 Glb::Json mesh_json(Glb &glb, const clq_template *tmpl, uint32_t level);
-void dress(Glb::Json &mesh, Materials &materials, const clq_template *tmpl, const MeshName &name);
+void dress(Glb::Json &mesh, Materials &materials, DirtyZones &dirty_zones, const clq_template *tmpl,
+           const MeshName &name);
 
 }  // namespace parity

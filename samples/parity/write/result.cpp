@@ -1,5 +1,6 @@
 // A result: what the CPU path makes of a time.
 #include "samples/parity/write/describe.h"
+#include "samples/parity/write/gl_query.h"
 #include "samples/parity/write/id_pictures.h"
 
 namespace parity
@@ -40,6 +41,7 @@ size_t write_result(scenes::SceneRenderer &scene_renderer, const CaptureTime &ca
                      {"calls", drawn.draws},
                      {"triangles", drawn.triangles},
                      {"vertices", drawn.vertices}};
+    json["subpixel_bits"] = subpixel_bits(scene_renderer.offscreen());
     write_json(folder, json);
     folder.complete();
     return drawn_actors.individuals().size();

@@ -66,13 +66,14 @@ std::string scene_glb(const DrawnActors &drawn_actors, const std::vector<float> 
     json["scene"] = 0;
     json["scenes"] = Json::array({{{"nodes", Json::array()}}});
     Materials materials(glb);
+    DirtyZones dirty_zones(glb);
     std::map<std::pair<uint32_t, uint32_t>, Json> shapes;  // by template and level
     for (const MeshName &name : drawn_actors.meshes()) {
         const clq_template *tmpl = drawn_actors.templates()[name.tmpl];
         const auto [known, is_new] = shapes.try_emplace({name.tmpl, name.level});
         if (is_new) known->second = mesh_json(glb, tmpl, name.level);
         Json mesh = known->second;
-        dress(mesh, materials, tmpl, name);  // adds members to the document, which moves its contents
+        dress(mesh, materials, dirty_zones, tmpl, name);  // adds members to the document, which moves its contents
         clq_template_info info = clq_template_info_init();
         scenes::check(clq_template_get_info(tmpl, &info));
         mesh["name"] = std::string(info.name) + ", level " + std::to_string(name.level);

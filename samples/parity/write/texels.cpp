@@ -19,6 +19,7 @@ Texels::Texels(const clq_template *tmpl, uint32_t texture, uint32_t texture_set)
     zones.resize(count);
     texels.rgb = rgb.data(), texels.zones = zones.data(), texels.capacity = count;
     check(clq_template_get_texture(tmpl, texture_set, texture, &texels));
+    check(clq_template_get_wrap(tmpl, texture, &wrap_s, &wrap_t));
 }
 
 std::vector<uint8_t> png_of(const Texels &texels)

@@ -67,7 +67,7 @@ TEST_F(CaptureFolder, IsRefusedIfItHoldsNoResult)
     EXPECT_EQ(refusal(), "./capture.json is nested more than 64 deep");
     for (const char *text : {"[]", "3", "{}", "null"}) {
         write("r", "capture.json", text);
-        EXPECT_EQ(refusal(), "./capture.json has no 'format'; docs/parity.md lists what it needs");
+        EXPECT_EQ(refusal(), "./capture.json has no 'format'; docs/parity.md lists what a result needs");
     }
 }
 
@@ -75,6 +75,10 @@ TEST_F(CaptureFolder, WithAnInvalidFieldIsRefused)
 {
     const std::vector<std::vector<std::string>> wrong = {
         {"\"claque-parity\"", "\"other\"", "./capture.json: its format is not claque-parity"},
+        {"\"kind\": \"result\"", "\"kind\": \"scene\"",
+         "./capture.json: its kind is 'scene', and a result is expected"},
+        {"\"actors\": 3", "\"actors\": 2", "./actors.npy has 3 actors, and capture.json says 2"},
+        {"\"vertices\": 10", "\"vertices\": 11", "./actors.npy has 10 vertices, and capture.json says 11"},
         {"\"version\": 1", "\"version\": 2", "./capture.json is of version 2, and version 1 can be read"},
         {"\"width\": 16", "\"width\": 0", "./capture.json: 'width' has to be a number from 1.0 to 16384.0"},
         {"\"width\": 16", "\"width\": \"16\"", "./capture.json: 'width' has to be a number from 1.0 to 16384.0"},
@@ -93,6 +97,23 @@ TEST_F(CaptureFolder, WithAnInvalidFieldIsRefused)
         write_result("r");
         replace("r", "capture.json", w[0], w[1]);
         EXPECT_EQ(refusal(), w[2]);
+    }
+}
+
+TEST_F(CaptureFolder, NeedsEveryFieldThatThePageMarksAsNeeded)
+{
+    for (const char *field : {"format", "version", "kind", "renderer", "scene", "width", "height", "time_s", "actors",
+                              "vertices", "actor_columns", "templates", "meshes"}) {
+        write_result("r");
+        replace("r", "capture.json", "\"" + std::string(field) + "\": ", "\"x\": ");
+        EXPECT_EQ(refusal(),
+                  "./capture.json has no '" + std::string(field) + "'; docs/parity.md lists what a result needs");
+    }
+    for (const char *field : {"actors", "vertices", "actor_columns", "templates", "meshes"}) {
+        write_result("r");
+        remove("r", "actors.npy");
+        replace("r", "capture.json", "\"" + std::string(field) + "\": ", "\"x\": ");
+        EXPECT_EQ(refusal(), "read") << field << " belongs to actors.npy";
     }
 }
 
