@@ -13,7 +13,7 @@ float close_difference(const PreparedTemplate &prepared, uint32_t level, float d
 
 // The distance at which an individual that comes nearer changes least: the farthest at which that difference is 2 of
 // 255, or the one at which it is smallest if it is larger everywhere. Farther away GL_NEAREST leaves out more and more
-// texels, and the two differ ever more. 0 if no level can show close textures. Throws std::bad_alloc.
+// texels, and the two differ ever more. 0 if the level nearest to the eye can show none. Throws std::bad_alloc.
 float close_distance(const PreparedTemplate &prepared);
 
 }  // namespace claque::passes

@@ -16,7 +16,7 @@ void draw_close(Canvas &canvas, const Individual &individual)
         if (individual.prepared->source->textures[surfaces[i].texture].has_holes)
             state.alpha_function = gl::gequal, state.alpha_reference = 0.5f;
         canvas.apply(state);
-        canvas.use_own_colours(individual);
+        if (i == 0) canvas.use_own_colours(individual);  // alike for all surfaces
         canvas.close_triangles(individual, i);
     }
 }

@@ -34,7 +34,6 @@ base::Status CloseTextures::make(const Gl11 &gl, const Preflight &preflight, con
     make_room(gl);
     left_out = make_pending(gl, templates);
     stats.close_made += static_cast<uint32_t>(pending_.size()) - left_out;
-    stats.close_bytes = held_;
     name_items(list);
     return status;
 }

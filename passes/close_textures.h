@@ -46,6 +46,8 @@ public:
         return item < first_name_.size() && first_name_[item] != model::none ? &names_[first_name_[item]] : nullptr;
     }
 
+    uint64_t held_bytes() const { return held_; }  // of GL's memory, by all textures that are kept
+
     void destroy(const Gl11 &gl);  // deletes all textures
     void forget();                 // for a lost context
 

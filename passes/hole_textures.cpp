@@ -55,13 +55,17 @@ bool HoleTextures::load(const Gl11 &gl, const model::Template &tmpl, uint32_t te
     return false;
 }
 
-base::Status HoleTextures::prepare(const Gl11 &gl, const draw::DrawList &list)
+base::Status HoleTextures::prepare(const Gl11 &gl, const Preflight &preflight, const draw::DrawList &list)
 try {
+    const draw::Item *before = nullptr;
     for (const draw::Item &item : list.items) {
         if (item.shadow_only) continue;
+        if (before && before->tmpl == item.tmpl && before->texture_set == item.texture_set) continue;
+        before = &item;
         for (uint32_t texture = 0; texture < item.tmpl->textures.size(); ++texture) {
             const model::Texture &from = item.tmpl->textures[texture];
             if (!from.has_holes || find(*item.tmpl, texture, item.texture_set) != 0) continue;
+            if (base::Status status = preflight.check_upload(gl); !status.ok()) return status;
             const UploadGuard guard(gl);
             if (!load(gl, *item.tmpl, texture, image_of(from, item.texture_set)))
                 return base::Status::bad(CLQ_OUT_OF_MEMORY,

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/draw/draw_list.h"
-#include "passes/gl11.h"
+#include "passes/preflight.h"
 
 namespace claque::passes
 {
@@ -12,8 +12,9 @@ class HoleTextures
 public:
     explicit HoleTextures(std::pmr::memory_resource *memory) : textures_(memory), texels_(memory) {}
 
-    // Loads those of a list that are not there yet. Fails with CLQ_OUT_OF_MEMORY and then keeps what it had.
-    base::Status prepare(const Gl11 &gl, const draw::DrawList &list);
+    // Loads those of a list that are not there yet. Fails with CLQ_GL_STATE or CLQ_OUT_OF_MEMORY, and then keeps what
+    // it had.
+    base::Status prepare(const Gl11 &gl, const Preflight &preflight, const draw::DrawList &list);
     // The GL name; 0: the texture has no holes.
     uint32_t find(const model::Template &tmpl, uint32_t texture, uint32_t set) const;
 

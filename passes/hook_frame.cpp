@@ -35,7 +35,8 @@ void HookFrame::offer() const
 base::Status HookFrame::named(const base::Status &status, const char *which) const
 {
     if (status.ok()) return status;
-    return base::Status::bad(status.code, "actor %u: after its hook '%s', %s", item_.actor_index, which, status.text);
+    return base::Status::bad(status.code, "actor %u: after its hook '%s', %s", item_.actor_index + 1, which,
+                             status.text);
 }
 
 template <class Call>

@@ -79,7 +79,7 @@ base::Status ListDrawer::draw()
         if (!make(i, individual)) {
             if (first.ok())
                 first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices at the update",
-                                          item.actor_index);
+                                          item.actor_index + 1);
         } else if (!item.hooks) draw_individual(individual);
         else if (draw_between_hooks(individual, first) == Next::stop) break;
         if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) flush_gl();

@@ -119,14 +119,14 @@ base::Status Renderer::add(const model::Template &tmpl)
 base::Status Renderer::check_item(const draw::Item &item, const PreparedTemplate &prepared) const
 {
     if (item.level >= prepared.levels.size())
-        return base::Status::bad(CLQ_ARGUMENT, "actor %u: level %u of template '%s', which has %zu", item.actor_index,
-                                 item.level, item.tmpl->name.c_str(), prepared.levels.size());
+        return base::Status::bad(CLQ_ARGUMENT, "actor %u: level %u of template '%s', which has %zu",
+                                 item.actor_index + 1, item.level, item.tmpl->name.c_str(), prepared.levels.size());
     if (!shows(item)) return base::Status::good();
     if (item.locals && !prepared.rigid)
         return base::Status::bad(CLQ_ARGUMENT,
                                  "actor %u: GL's matrix stack cannot place the template '%s', which is not made of "
                                  "rigid parts alone",
-                                 item.actor_index, item.tmpl->name.c_str());
+                                 item.actor_index + 1, item.tmpl->name.c_str());
     return base::Status::good();
 }
 
@@ -160,6 +160,7 @@ base::Status Renderer::draw(const draw::DrawList &list, DrawStats *out_stats)
     DrawStats stats;
     base::Status status = open_ ? check_items(list) : not_open();
     if (status.ok()) status = still_current(gl_, draw_checked(list, stats));
+    stats.close_bytes = close_.held_bytes();
     if (out_stats) *out_stats = stats;
     return status;
 }

@@ -36,7 +36,7 @@ base::Status Renderer::check_visibility(const draw::DrawList &list)
     } catch (const std::bad_alloc &) {
         return base::Status::bad(CLQ_OUT_OF_MEMORY, "no memory for the corners of triangles");
     }
-    return holes_.prepare(gl_, list);
+    return holes_.prepare(gl_, preflight_, list);
 }
 
 base::Status Renderer::draw_visibility(const draw::DrawList &list, const VisibilityOptions &options,

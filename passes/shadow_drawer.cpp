@@ -91,7 +91,7 @@ base::Status ShadowDrawer::draw()
         if (!prepared || prepared->source != item.tmpl) prepared = find(templates_, item.tmpl);
         if (!cast(item, prepared->levels[item.level]) && first.ok())
             first = base::Status::bad(CLQ_OUT_OF_MEMORY, "actor %u: no memory for its vertices at the update",
-                                      item.actor_index);
+                                      item.actor_index + 1);
     }
     batch_.flush();
     return first.ok() ? plane_finder_.status() : first;

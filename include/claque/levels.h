@@ -45,8 +45,9 @@ static inline clq_levels_def clq_levels_def_init(void)
 
 /* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. A level
  * is left out if no distance would select it, if it has less than a tenth more triangles than the next one, or if it
- * has fewer than 20 triangles and changes the share of a zone by more than 2 points, or loses a zone of a hundredth.
- * A smaller zone may vanish from coarse levels. The levels do not depend on the context's tasks, which share the work.
+ * has fewer than 20 triangles and changes the share of a zone by more than 2 points, or nearly loses a zone that
+ * covers at least a hundredth of the surface. Zones that cover less may vanish from coarse levels. The levels do not
+ * depend on the context's tasks, which share the work.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT

@@ -84,8 +84,8 @@ typedef struct clq_renderer_def {
     uint32_t flat_triangles;
     /* Close textures: individuals near the eye get a texture of their own, in which claque multiplies the colours of
      * their zones on the CPU. It is filtered GL_LINEAR with a full mip chain, and drawn with one call per surface,
-     * without dirty triangles, and without an alpha test but for holes. This is the budget in bytes of GL memory, four
-     * a texel with all mip levels; 0 (default): off.
+     * without dirty triangles, and without an alpha test but for holes. The member is the budget for all of them in
+     * bytes of GL memory: four a texel, with all mip levels. 0 (default): off.
      * The nearest individuals of a view get one, up to the first that the budget has no room for. Others are drawn by
      * the strategy: those farther away than close_distance_m, in batches, or with hooks; and those with a texture
      * larger than the budget, or whose triangles come within half a texel of an edge that clamps.

@@ -32,7 +32,7 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
     options.linear_clean = def.linear_clean;
     options.close_bytes = def.close_texture_bytes;
     require(def.close_distance_m >= 0 && std::isfinite(def.close_distance_m),
-            "close_distance_m is negative or not a number");
+            "close_distance_m is negative or not finite");
     options.close_distance_m = def.close_distance_m;
     options.close_per_draw = def.close_textures_per_draw;
     return options;

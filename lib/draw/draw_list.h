@@ -87,7 +87,8 @@ struct DrawList {
     float projection[16] = {0};                            // column-major, from the view
     double eye[3] = {0, 0, 0};                             // in the world
     double world_to_eye[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};  // column-major: a rotation
-    // From Item::eye_distance_m to the distance in a picture of 768 lines over 60 degrees at which it is as large.
+    // At eye_distance_m * distance_scale + min_distance_m an individual is as large in a picture of 768 lines over 60
+    // degrees.
     float distance_scale = 1, min_distance_m = 0;
 };
 

@@ -7,6 +7,10 @@
 namespace claque::frame
 {
 
+namespace
+{
+
+// The mechanisms' levels without the host's mechanisms, which only updates may run.
 behave::MechanismLevels without_host(const crowd::Crowd &crowd, uint32_t row, behave::MechanismLevels levels)
 {
     const crowd::Behaviours &behaviours = crowd.behaviours();
@@ -17,6 +21,8 @@ behave::MechanismLevels without_host(const crowd::Crowd &crowd, uint32_t row, be
             levels |= behave::MechanismLevels(behave::off) << (4 * k);
     return levels;
 }
+
+}  // namespace
 
 crowd::Transform root_at(const crowd::Crowd &crowd, uint32_t row, double time_s)
 {

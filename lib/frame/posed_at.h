@@ -6,9 +6,6 @@
 namespace claque::frame
 {
 
-// The mechanisms' levels without the host's, which only updates may run.
-behave::MechanismLevels without_host(const crowd::Crowd &crowd, uint32_t row, behave::MechanismLevels levels);
-
 // Its Skeleton Root in the world, not moved by the ground.
 crowd::Transform root_at(const crowd::Crowd &crowd, uint32_t row, double time_s);
 

@@ -60,7 +60,8 @@ struct CullRefpoints {
     base::Span<const uint32_t> tested;
     base::Span<const track::Motion> motions;  // [tested]
 
-    base::Span<uint8_t> passed;  // [view][tested]: math::Containment; of the first view, then whether any view met it
+    // [view][tested]: math::Containment. run() ends by overwriting the first view's with whether any view met it.
+    base::Span<uint8_t> passed;
 
     base::Status check() const;
     uint32_t run() const;  // returns how many passed

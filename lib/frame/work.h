@@ -15,7 +15,8 @@ namespace claque::frame
 struct Work {
     Work(std::pmr::memory_resource *memory, const Settings &settings);
 
-    // Reserves the memory that the first cull phase needs. What it writes is of no use to the last update's results.
+    // Reserves the memory that the first cull phase needs. The last update's results do not depend on what that phase
+    // writes.
     void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
     // Then all other memory that an update of these views needs, except for palettes and vertices: as much as for the
     // individuals that passed that phase. Both throw std::bad_alloc; draw lists and results are unchanged then.

@@ -50,8 +50,9 @@ double switch_distance(double error_m, double pixels);
 // Replaces the parts of `model` by a chain of levels, and reports on each level, finest first. Parts that are hidden,
 // have no triangles or have distances of their own stay as they are. A level is left out if it has less than a tenth
 // more triangles than the next one, if it begins where the next begins, or if it has fewer than 20 triangles and cannot
-// keep the zones' area fractions or loses a zone of a hundredth of the surface. Throws base::Error (CLQ_ARGUMENT) if
-// nothing can be decimated or targets do not descend; the model is then unchanged. Deterministic.
+// keep the zones' area fractions or nearly loses a zone of at least a hundredth of the surface (area_fractions.h).
+// Throws base::Error (CLQ_ARGUMENT) if nothing can be decimated or targets do not descend; the model is then unchanged.
+// Deterministic.
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options);
 
 }  // namespace claque::lod

@@ -1,5 +1,8 @@
 #include "lib/visibility/channels.h"
 
+#include <cmath>
+#include <limits>
+
 #include <glm/geometric.hpp>
 
 #include "lib/model/texel_zone.h"
@@ -67,6 +70,7 @@ private:
 
     uint32_t zone_of(const Found &found, const glm::dvec3 &weights) const
     {
+        if (std::isnan(weights.x)) return model::none;  // seen edge on
         const draw::Item &item = picture_.list.items[found.item];
         const model::Level &level = item.tmpl->levels[item.level];
         double uv[2] = {0, 0};

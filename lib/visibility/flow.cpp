@@ -1,5 +1,7 @@
 #include "lib/visibility/flow.h"
 
+#include <limits>
+
 #include "lib/visibility/corners.h"
 
 namespace claque::visibility

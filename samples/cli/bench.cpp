@@ -16,8 +16,8 @@ void expect_same_picture(std::string &before, const std::string &now, const std:
 {
     if (before.empty()) before = now;
     if (now != before)
-        throw scenes::Failure("the picture of " + what + "), so the times are not comparable" + now + ", not " +
-                              before + "), so the times mean nothing");
+        throw scenes::Failure("the picture of " + what + " is " + now + ", not " + before +
+                              ", so the times mean nothing");
 }
 
 namespace
@@ -146,7 +146,8 @@ void add_bench(CLI::App &app, Work &chosen)
         "there); a character's file; a file of trajectories (docs/trajectories.md); growth: updates of 1000 to "
         "100 000 actors; million: a city of up to a million, million-memory: the same for a chart of its memory; "
         "vertex_format: packed vertices against floats; close_textures: a texture for each of 1000 people against one "
-        "for all; flicker: how much the odeon flickers past people who stand still; readers: how the time of reading "
+        "for all; flicker: how much the odeon flickers past a crowd that stands still; readers: how the time of "
+        "reading "
         "grows with the counts in a file; tracks: people "
         "who walk on tracks against "
         "people in place; or shared "

@@ -67,7 +67,7 @@ void print_shadows(const Json &report);
 Json bench_processes(const BenchArguments &arguments);
 void print_processes(const Json &report);
 
-// How much a picture flickers past people who stand still.
+// How much a picture flickers past a crowd that stands still.
 bool is_of_flicker(const BenchArguments &arguments);
 Json bench_flicker(const BenchArguments &arguments);
 void print_flicker(const Json &report);

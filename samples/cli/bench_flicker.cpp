@@ -1,4 +1,4 @@
-// claque bench flicker: how much a picture flickers while the camera moves slowly past people who stand still. The
+// claque bench flicker: how much a picture flickers while the camera moves slowly past a crowd that stands still. The
 // error of a frame is its difference from the mean of sixteen pictures whose pixels are moved by parts of a pixel. An
 // error that stays is a coarse picture; one that changes from frame to frame is seen as flicker, so its change is
 // measured.

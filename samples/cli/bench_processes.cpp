@@ -42,9 +42,8 @@ std::unique_ptr<ProcessRival> rival_of(const BenchArguments &a, int processes)
 void frame(ProcessRival &rival, double time_s, bool counts, std::string &picture)
 {
     rival.crew->draw({{-1, time_s, "-"}}, [&](size_t, const Json &report, const unsigned char *, size_t) {
-        expect_same_picture(
-            picture, report["picture_hash"],
-            "one scene at one time differs between numbers of processes (" + std::to_string(rival.arguments.processes));
+        expect_same_picture(picture, report["picture_hash"],
+                            "one time by " + std::to_string(rival.arguments.processes) + " processes");
         if (!counts) return;
         double most = 0, sum = 0;
         for (const Json &tile : report["tiles"]) {

@@ -13,7 +13,7 @@ namespace cli
 struct CityOptions {
     uint32_t count = 0;    // of people
     uint32_t in_view = 0;  // of these, on the square
-    bool grouped = false;  // people who stand out of view are in a group for each block
+    bool grouped = false;  // individuals that stand out of view are in a group for each block
     bool indexed = false;  // with a scene index
 };
 

@@ -23,6 +23,9 @@ double cpu_ms()
     return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
+// What the processes share: in a job of a scheduler its cores alone.
+int shared_cores() { return is_scheduled() ? processes::scheduled_cores() : core_count(); }
+
 // A PNG may be a little larger than its pixels.
 size_t frame_capacity(const RenderArguments &a)
 {
@@ -64,6 +67,7 @@ private:
     {
         Json report;
         const std::vector<uint8_t> &rgb = drawer_.draw(frame, report);
+        drawer_.add_hashes(rgb, report);
         const std::vector<unsigned char> file = frame_bytes(frame, rgb.data(), drawer_.options(), drawer_.subject());
         if (file.size() > capacity_) throw scenes::Failure("a picture takes more memory than processes share");
         std::copy(file.begin(), file.end(), pages_);
@@ -103,6 +107,13 @@ int process_count(const RenderArguments &a)
     return a.processes > 0 ? a.processes : is_scheduled() ? processes::scheduled_cores() : 1;
 }
 
+int threads_each(const RenderArguments &a)
+{
+    const int count = process_count(a);
+    if (a.setup.threads > 0 || count == 1) return thread_count(a.setup);
+    return std::max(1, shared_cores() / count);
+}
+
 Division division_of(const RenderArguments &a)
 {
     if (a.divide.empty()) return a.frames.empty() ? Division::tiles : Division::frames;
@@ -116,7 +127,7 @@ struct FrameCrew::State {
           stride(division == Division::frames ? frame_capacity(a) : picture_bytes(a)),
           pages(stride * (division == Division::frames ? count : 2)),
           crew_size(count),
-          threads(a.setup.threads > 0 ? a.setup.threads : std::max(1, core_count() / static_cast<int>(count))),
+          threads(threads_each(a)),
           borders(a.setup.width, static_cast<int>(count)),
           crew(count, [this](uint32_t worker) { return start(worker); })
     {
@@ -124,7 +135,7 @@ struct FrameCrew::State {
 
     processes::Crew::Answering start(uint32_t worker)
     {
-        processes::share_mesa_threads(static_cast<int>(crew_size), core_count());
+        processes::share_mesa_threads(static_cast<int>(crew_size), shared_cores());
         uint8_t *own = pages.data() + (division == Division::frames ? stride * worker : 0);
         const auto made = std::make_shared<FrameWorker>(arguments, threads, own, stride);
         return [made](const std::string &task) { return made->answer(Json::parse(task)).dump(); };
@@ -233,7 +244,7 @@ void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &
         report["wall_ms"] = drawing.ms();
         if (index + 1 < frames.size()) give(index + 1);
         const uint8_t *rgb = pages.data() + index % 2 * stride;
-        report["picture_hash"] = hex(scenes::hash_of({rgb, rgb + stride}));
+        report["picture_hash"] = hex(scenes::hash_of(rgb, stride));
         const std::vector<unsigned char> bytes = frame_bytes(frames[index], rgb, options, *subject);
         done(index, report, bytes.data(), bytes.size());
     }

@@ -21,7 +21,8 @@ public:
     ~FrameCrew();
 
     const Subject &subject();
-    // Calls done(index, report, bytes) for each frame, in any order for files, in this order for standard output.
+    // Calls done(index, report, bytes, size) once for each frame: in any order for files, in the order of `frames` for
+    // standard output.
     using Done = std::function<void(size_t index, Json report, const unsigned char *bytes, size_t size)>;
     void draw(const std::vector<Frame> &frames, const Done &done);
 
@@ -33,8 +34,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The number of processes that the arguments ask for.
+// The number of processes that the arguments ask for, and of the threads of each.
 int process_count(const RenderArguments &arguments);
+int threads_each(const RenderArguments &arguments);
 Division division_of(const RenderArguments &arguments);
 
 }  // namespace cli

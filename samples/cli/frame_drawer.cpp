@@ -48,8 +48,6 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
     const std::vector<uint8_t> &rgb =
         arguments_.samples > 1 ? scene.picture(frame.time_s, arguments_.samples) : scene.read();
     const clq_view_stats seen = scene.view_stats();
-    report["picture_hash"] = hex(scenes::hash_of(rgb));
-    report["list_hash"] = hex(scene.view_hash());
     report["update_ms"] = update_ms;
     report["environment_ms"] = environment_ms;
     report["draw_ms"] = draw_ms;
@@ -66,6 +64,12 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
         report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
     report["counters"] = counters(scene.crowd_stats());
     return rgb;
+}
+
+void FrameDrawer::add_hashes(const std::vector<uint8_t> &rgb, Json &report) const
+{
+    report["picture_hash"] = hex(scenes::hash_of(rgb.data(), rgb.size()));
+    report["list_hash"] = hex(scene_renderer_->view_hash());
 }
 
 const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, const processes::Tile &tile, Json &report)

@@ -29,6 +29,9 @@ public:
     // The same of a part of it.
     const std::vector<uint8_t> &draw(const Frame &frame, const processes::Tile &tile, Json &report);
 
+    // Of the last frame, drawn whole.
+    void add_hashes(const std::vector<uint8_t> &rgb, Json &report) const;
+
     scenes::SceneRenderer &scene_renderer() { return *scene_renderer_; }
     const scenes::SceneOptions &options() const { return options_; }
     std::vector<std::string> warnings() const { return library_.warnings(); }

@@ -39,7 +39,7 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options)
     if (!a.colours.file.empty()) report["colours"] = a.colours.file;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
-    report["threads"] = thread_count(a.setup);
+    report["threads"] = threads_each(a);
     if (process_count(a) > 1) report["processes"] = process_count(a);
     return report;
 }
@@ -51,7 +51,7 @@ public:
     explicit Rendering(const RenderArguments &a) : a_(a)
     {
         if (process_count(a) > 1) crew_.emplace(a);
-        else drawer_.emplace(a, thread_count(a.setup));
+        else drawer_.emplace(a, threads_each(a));
         LoadedCharacter none;
         options_ = scene_options(a.setup, none);
         report_ = about(a, options_);
@@ -118,6 +118,7 @@ void Rendering::draw_alone()
     for (size_t i = 0; i < frames_.size(); ++i) {
         Json report = frame_report(frames_[i]);
         const std::vector<uint8_t> &rgb = drawer_->draw(frames_[i], report);
+        drawer_->add_hashes(rgb, report);
         const std::vector<unsigned char> bytes = frame_bytes(frames_[i], rgb.data(), options_, subject());
         keep(i, std::move(report), bytes.data(), bytes.size());
     }

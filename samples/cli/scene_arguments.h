@@ -84,7 +84,7 @@ MakeScene maker_of(const SceneArguments &arguments);
 // overview, close, path, at:PLACE, or follow:ID. Returns "", or a sentence that says what is wrong.
 std::string check_camera(const std::string &text);
 std::string viewpoint_of(const std::string &camera);  // the PLACE of at:PLACE; empty: it has no name
-std::string followed_by(const std::string &camera);   // the ID of follow:ID; empty: it follows no one
+std::string followed_by(const std::string &camera);   // the ID of follow:ID; empty: it follows no person
 // Throws CLI::ValidationError if the camera follows a person in a scene without tracks.
 void expect_followed(const SceneArguments &arguments);
 // Whether its people sit in a theatre.

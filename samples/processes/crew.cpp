@@ -42,10 +42,17 @@ void expect_no_threads()
 
 Crew::Crew(uint32_t count, Start start) : start_(std::move(start)), workers_(count)
 {
-    for (uint32_t i = 0; i < count; ++i) begin(i);
+    try {
+        for (uint32_t i = 0; i < count; ++i) begin(i);
+    } catch (...) {
+        end_all();
+        throw;
+    }
 }
 
-Crew::~Crew()
+Crew::~Crew() { end_all(); }
+
+void Crew::end_all()
 {
     for (const Worker &one : workers_)
         if (one.process > 0) kill(one.process, SIGKILL);

@@ -1,6 +1,7 @@
 // Worker processes that answer tasks. They are forked, without exec, by a process that has neither threads nor GL, so
 // each starts with all that its parent has read and needs no arguments. A worker that ends is replaced, and its task is
-// sent again. No worker outlives the process that made it, however that ends.
+// sent again. If the process that
+// made them ends, in any way, its workers end too.
 #pragma once
 
 #include <cstdint>
@@ -53,6 +54,7 @@ private:
     };
 
     void begin(uint32_t worker);
+    void end_all();
     void replace(uint32_t worker);
     [[noreturn]] void work(uint32_t worker, Channel channel);
 

@@ -4,8 +4,8 @@
 namespace processes
 {
 
-// The cores of this job: SLURM_CPUS_PER_TASK, NCPUS (PBS), NSLOTS (Grid Engine), LSB_DJOB_NUMPROC (LSF). 1 where a
-// scheduler says nothing; it is then one core of many that have jobs.
+// The cores of this job: SLURM_CPUS_PER_TASK, NCPUS (PBS), NSLOTS (Grid Engine), LSB_DJOB_NUMPROC (LSF). 1 if none is
+// set.
 int scheduled_cores();
 
 // Shares the cores: each process gets as many of Mesa's threads as there are cores for it, or none where that is one,

@@ -137,16 +137,16 @@ Blocks::Blocks(const Parts &parts, float block_m, const Far &far) : far_m_(far.f
 
 void Blocks::choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const
 {
-    std::vector<std::pair<double, uint32_t>> order;
+    choice.order.clear();
     for (uint32_t i = 0; i < blocks_.size(); ++i)
-        if (!cull || cull->meets(blocks_[i].sphere)) order.emplace_back(distance2(blocks_[i], eye), i);
-    std::sort(order.begin(), order.end());
+        if (!cull || cull->meets(blocks_[i].sphere)) choice.order.emplace_back(distance2(blocks_[i], eye), i);
+    std::sort(choice.order.begin(), choice.order.end());
     choice.fine.clear(), choice.coarse.clear();
     const auto add = [](std::vector<uint32_t> &list, const Geometry &g, const Span &span) {
         const auto first = g.indices().begin() + span.first;
         list.insert(list.end(), first, first + span.count);
     };
-    for (const auto &[distance, i] : order) {
+    for (const auto &[distance, i] : choice.order) {
         const Block &block = blocks_[i];
         const bool is_far = distance >= double(far_m_) * double(far_m_);
         if (is_far) add(choice.coarse, coarse_, block.far);

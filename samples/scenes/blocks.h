@@ -3,6 +3,7 @@
 // few triangles without a texture, which software GL fills several times as fast.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "samples/scenes/frustum.h"
@@ -41,9 +42,11 @@ public:
     // lists.
     struct Choice {
         std::vector<uint32_t> fine, coarse;
+        std::vector<std::pair<double, uint32_t>> order;  // of the blocks, by distance
     };
     void choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const;
-    // With the texture and the lights that are set, except for the far ones.
+    // Near blocks have the texture and the lights that are set, far ones their own colours. Call it with lighting on;
+    // textures may be off afterwards.
     void draw(const Gl &gl, const Eye &eye, const Frustum *cull) const;
 
 private:

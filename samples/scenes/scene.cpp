@@ -12,7 +12,7 @@ const std::vector<SceneEntry> &scene_entries()
          10000},
         {"ten_thousand", "the same field with all four people in chains of levels of detail, all individuals in view",
          make_ten_thousand, 10000},
-        {"amphitheatre", "the Flavian Amphitheatre with everybody in it, an awning, and the sun by the hour",
+        {"amphitheatre", "the Flavian Amphitheatre with 50 000 spectators, an awning, and the sun by the hour",
          make_amphitheatre, 50000},
         {"parade", "rows of one character on a plain ground, playing its clips in turn", make_parade, 12},
         {"vehicle", "omnibuses full of people on the streets of a small town, each a group", make_vehicle, 320, true},

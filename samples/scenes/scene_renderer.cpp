@@ -268,10 +268,10 @@ clq_view_stats SceneRenderer::view_stats() const
 
 uint64_t SceneRenderer::view_hash() const { return clq_view_get_hash(view_.get()); }
 
-uint64_t hash_of(const std::vector<uint8_t> &bytes)
+uint64_t hash_of(const uint8_t *bytes, size_t size)
 {
     uint64_t hash = 0xcbf29ce484222325u;
-    for (const uint8_t byte : bytes) hash = (hash ^ byte) * 0x100000001b3u;
+    for (size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001b3u;
     return hash;
 }
 

@@ -64,7 +64,7 @@ public:
 
     // All work without GL: positions of the individuals, and clq_crowd_update.
     void update(double time_s);
-    // From now on everybody stays as at this time, and times move the camera alone.
+    // From now on all individuals stay as at this time, and times move the camera alone.
     void hold_crowd(double time_s) { held_s_ = time_s; }
     void draw_environment();
     // The shadows of people, if they are claque's. Call it after the environment and before the crowd; it waits for GL
@@ -134,6 +134,7 @@ private:
 };
 
 // A hash of bytes (FNV-1a, 64 bits), for pictures.
-uint64_t hash_of(const std::vector<uint8_t> &bytes);
+uint64_t hash_of(const uint8_t *bytes, size_t size);
+inline uint64_t hash_of(const std::vector<uint8_t> &bytes) { return hash_of(bytes.data(), bytes.size()); }
 
 }  // namespace scenes

@@ -137,7 +137,7 @@ TEST_F(DisruptiveHooks, ThatLeaveWhatCannotBeUndoneAreNamed)
     host_->clear(0, 0, 0);
     Status status = renderer->draw(trio(between), &stats);
     EXPECT_EQ(status.code, CLQ_GL_STATE);
-    for (const char *word : {"actor 11", "'before'", "program is in use"})
+    for (const char *word : {"actor 12", "'before'", "program is in use"})
         EXPECT_NE(std::string(status.text).find(word), std::string::npos) << status.text;
     EXPECT_EQ(stats.individuals, 2u) << "its neighbours are drawn";
 

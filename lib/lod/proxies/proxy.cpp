@@ -104,11 +104,9 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
 }
 
 ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
-                         const ProxyMeshOptions &options, const base::Jobs &jobs)
+                         const ProxyMeshOptions &options)
 {
-    ProxyMeshOptions with_jobs = options;
-    with_jobs.jobs = jobs;
-    return bake_proxies(ProxySource(model, source, jobs), proxy_meshes(model, source, with_jobs), jobs);
+    return bake_proxies(ProxySource(model, source, options.jobs), proxy_meshes(model, source, options), options.jobs);
 }
 
 void add_to_model(const ProxyLevels &proxies, model::Model &model)

@@ -67,7 +67,7 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
 
 // Both steps in one. `source` are triangle parts of `model`, which must have passed model::check.
 ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
-                         const ProxyMeshOptions &options, const base::Jobs &jobs = {});
+                         const ProxyMeshOptions &options);
 
 // Adds materials, images, texture-set entries and keys to the same `model`. The caller adds the parts.
 void add_to_model(const ProxyLevels &proxies, model::Model &model);

@@ -25,7 +25,7 @@ constexpr double wave_every_s = 40, wave_m_per_s = 30;
 
 // Waves have numbers, which may be negative.
 Wave wave(uint64_t seed, int64_t number);
-// When it comes to a spectator, who needs a moment to join in.
+// When it comes to a spectator, with the spectator's time of reaction.
 double arrival_s(const Spectator &spectator, int64_t number);
 // The odds that a spectator joins in, [0, 1].
 double odds_of_joining(const Spectator &spectator, int64_t number);

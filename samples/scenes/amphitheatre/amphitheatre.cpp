@@ -1,4 +1,4 @@
-// The Flavian Amphitheatre full of people: everybody has a seat of the plan, and the sun of an hour of the day.
+// The Flavian Amphitheatre full of people, each on a seat of the plan, in the sun of an hour of the day.
 #include <cmath>
 #include <optional>
 

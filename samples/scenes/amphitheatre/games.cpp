@@ -24,12 +24,12 @@ constexpr double guests_north[] = {-2.8, -1.7, -0.6, 0.6, 1.7, 2.8};
 
 }  // namespace
 
-clq_transform walking(const Plan &plan, size_t who, double time_s, double metres_per_s, float scale)
+clq_transform walking(const Plan &plan, size_t walker, double time_s, double metres_per_s, float scale)
 {
     const double middle = (inner_m + outer_m) / 2;
-    const double along = metres_per_s * time_s - rank_m * static_cast<double>(who / 2);
+    const double along = metres_per_s * time_s - rank_m * static_cast<double>(walker / 2);
     const double turn = plan.oval().turn_at(along, middle);
-    const Spot spot = plan.oval().at(turn, who % 2 == 0 ? inner_m : outer_m);
+    const Spot spot = plan.oval().at(turn, walker % 2 == 0 ? inner_m : outer_m);
     return stand(spot.x, 0, spot.z, -spot.out_z, spot.out_x, scale);
 }
 
@@ -50,6 +50,17 @@ Games::Games(Figures &figures, SceneCrowd &crowd, const Plan &plan, const Exposu
     walkers();
     greeters();
     guests();
+    add_lit(first_ + walker_count, greeter_count, lit_greeters_);
+}
+
+// Those of `count` actors that the sun shines on.
+void Games::add_lit(size_t first, size_t count, std::vector<clq_transform> &out) const
+{
+    for (size_t i = first; i < first + count; ++i) {
+        const clq_transform &place = crowd_.places()[i];
+        const Vec3 waist = {static_cast<float>(place.position[0]), 1, static_cast<float>(place.position[2])};
+        if (exposure_.sun_at(waist) > 0.5) out.push_back(place);
+    }
 }
 
 void Games::enter(const std::string &character, const clq_transform &place, const char *clip, double speed, size_t who)
@@ -117,19 +128,17 @@ void Games::guests()
 
 void Games::place(double time_s)
 {
-    std::vector<clq_transform> moved, lit;
+    moved_.clear();
     for (size_t who = 0; who < walker_count; ++who) {
         clq_transform &place = crowd_.places()[first_ + who];
         place = walking(plan_, who, time_s, metres_per_s_, place.scale);
-        moved.push_back(place);
+        moved_.push_back(place);
     }
-    check(clq_crowd_set_transforms(crowd_.crowd(), crowd_.actors().data() + first_, moved.data(), walker_count));
-    for (size_t i = 0; i < walker_count + greeter_count; ++i) {
-        const clq_transform &place = crowd_.places()[first_ + i];
-        const Vec3 waist = {static_cast<float>(place.position[0]), 1, static_cast<float>(place.position[2])};
-        if (exposure_.sun_at(waist) > 0.5) lit.push_back(place);
-    }
-    shadows_.cast(lit, exposure_.light().to_sun, 1.7f, 0.95f);
+    check(clq_crowd_set_transforms(crowd_.crowd(), crowd_.actors().data() + first_, moved_.data(), walker_count));
+    lit_.clear();
+    add_lit(first_, walker_count, lit_);
+    lit_.insert(lit_.end(), lit_greeters_.begin(), lit_greeters_.end());
+    shadows_.cast(lit_, exposure_.light().to_sun, 1.7f, 0.95f);
 }
 
 }  // namespace scenes::amphitheatre

@@ -1,5 +1,5 @@
 // The hundred in the arena and in the boxes of honour: a procession (pompa) of pairs that walks round the arena,
-// companies that greet the emperor, and those who sit with him and with the giver of the games.
+// companies that greet the emperor, and the guests that sit with him and with the giver of the games.
 #pragma once
 
 #include "samples/scenes/amphitheatre/masonry.h"
@@ -12,8 +12,8 @@ namespace scenes::amphitheatre
 constexpr size_t walker_count = 56, greeter_count = 30, guest_count = 14;
 constexpr size_t game_count = walker_count + greeter_count + guest_count;
 
-// A pair's member of the procession at a time, on the sand; who in [0, walker_count).
-clq_transform walking(const Plan &plan, size_t who, double time_s, double metres_per_s, float scale);
+// One walker of the procession at a time, on the sand. `walker`: [0, walker_count); two in a row are a pair.
+clq_transform walking(const Plan &plan, size_t walker, double time_s, double metres_per_s, float scale);
 
 class Games
 {
@@ -30,6 +30,7 @@ private:
     void walkers();
     void greeters();
     void guests();
+    void add_lit(size_t first, size_t count, std::vector<clq_transform> &out) const;
 
     Figures &figures_;
     SceneCrowd &crowd_;
@@ -39,6 +40,8 @@ private:
     size_t first_;  // of the crowd's actors
     double metres_per_s_ = 1;
     Shadows shadows_;
+    std::vector<clq_transform> lit_greeters_;  // they stand
+    std::vector<clq_transform> moved_, lit_;   // of the last call of place()
 };
 
 // Stone seats for the guests, in the boxes.

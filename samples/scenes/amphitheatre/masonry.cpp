@@ -29,28 +29,6 @@ double distance(Vec3 a, Vec3 b)
 
 }  // namespace
 
-bool in_view(const Eye &eye, const double (&centre)[3], double radius)
-{
-    double v[3] = {0, 0, 0};
-    for (int r = 0; r < 3; ++r)
-        for (int c = 0; c < 3; ++c)
-            v[r] += static_cast<double>(eye.rotation[4 * c + r]) * (centre[c] - eye.position[c]);
-    if (v[2] > radius) return false;  // behind
-    for (int axis = 0; axis < 2; ++axis)
-        for (const int side : {-1, 1}) {
-            // The row of the clip coordinate w plus or minus that of x or y: a plane through the eye.
-            double plane[3], square = 0, away = 0;
-            for (int k = 0; k < 3; ++k) {
-                plane[k] = static_cast<double>(eye.projection[4 * k + 3]) +
-                           side * static_cast<double>(eye.projection[4 * k + axis]);
-                square += plane[k] * plane[k];
-                away += plane[k] * v[k];
-            }
-            if (away < -radius * std::sqrt(square)) return false;
-        }
-    return true;
-}
-
 Masonry::Masonry(const Plan &plan, const Exposure &exposure, uint64_t seed)
     : plan_(plan), exposure_(exposure), seed_(seed)
 {
@@ -196,28 +174,23 @@ void Masonry::panel(double turn, double half_m, double out, double foot, double 
 
 void Masonry::bound(Sector &sector)
 {
-    double low[3] = {1e9, 1e9, 1e9}, high[3] = {-1e9, -1e9, -1e9};
+    Vec3 low = {1e9f, 1e9f, 1e9f}, high = {-1e9f, -1e9f, -1e9f};
     for (const SceneryVertex &v : sector.geometry.vertices()) {
-        const float p[3] = {v.position.x, v.position.y, v.position.z};
-        for (int k = 0; k < 3; ++k) {
-            low[k] = std::min(low[k], static_cast<double>(p[k]));
-            high[k] = std::max(high[k], static_cast<double>(p[k]));
-        }
+        const Vec3 p = v.position;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
     }
-    double square = 0;
-    for (int k = 0; k < 3; ++k) {
-        sector.centre[k] = (low[k] + high[k]) / 2;
-        square += (high[k] - low[k]) * (high[k] - low[k]) / 4;
-    }
-    sector.radius = std::sqrt(square);
+    const Vec3 middle = {(low.x + high.x) / 2, (low.y + high.y) / 2, (low.z + high.z) / 2};
+    sector.sphere = {middle, 0.500001f * static_cast<float>(distance(low, high))};
 }
 
 void Masonry::draw(const Gl &g, const Eye &eye) const
 {
+    const Frustum view(eye);
     for (Sector &sector : sectors_) {
         if (sector.geometry.indices().empty()) continue;
-        if (sector.radius < 0) bound(sector);
-        if (in_view(eye, sector.centre, sector.radius)) sector.geometry.draw(g);
+        if (sector.sphere.radius < 0) bound(sector);
+        if (view.meets(sector.sphere)) sector.geometry.draw(g);
     }
 }
 

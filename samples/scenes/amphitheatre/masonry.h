@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "samples/scenes/amphitheatre/exposure.h"
-#include "samples/scenes/eye.h"
+#include "samples/scenes/frustum.h"
 
 namespace scenes::amphitheatre
 {
@@ -33,7 +33,7 @@ public:
     void cheek(double turn, double from, double to, double foot, double from_top, double to_top, int side, Rgb colour);
     // A block between two turns and two distances, without a bottom.
     void block(double turn, double half_m, double from, double to, double foot, double top, Rgb colour);
-    // A quad with the normal and the light of its middle. `sun` 0: in the shade whatever is above it.
+    // A quad with one normal, and the light of each corner. `sun` 0: in the shade whatever is above it.
     void quad(const std::array<Vec3, 4> &corners, Rgb colour, double open = 0.8, double sun = -1);
     // An upright shape of so many sides.
     void column(double turn, double out, double foot, double top, double radius, int sides, Rgb colour);
@@ -49,7 +49,7 @@ private:
     static constexpr size_t sector_count = 40;
     struct Sector {
         Geometry geometry;
-        double centre[3] = {0, 0, 0}, radius = -1;
+        Sphere sphere = {{0, 0, 0}, -1};
     };
     void band(const Corner &a, const Corner &b, double first, double last, int steps, Rgb colour, double spread,
               double sun);
@@ -63,8 +63,5 @@ private:
     uint64_t seed_, stones_ = 0;
     mutable std::array<Sector, sector_count> sectors_;
 };
-
-// False if a sphere lies outside one side of the view.
-bool in_view(const Eye &eye, const double (&centre)[3], double radius);
 
 }  // namespace scenes::amphitheatre

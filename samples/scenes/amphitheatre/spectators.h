@@ -49,7 +49,7 @@ public:
     Spectators(Figures &figures, SceneCrowd &crowd, const Plan &plan, const Exposure &exposure, uint32_t people,
                uint64_t seed);
 
-    // Starts the clips that begin until this time; to be called in any order of times.
+    // Gives each spectator the clip that it plays at this time. Times may come in any order.
     void act(double time_s);
     size_t size() const { return spectators_.size(); }
 

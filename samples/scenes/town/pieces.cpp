@@ -66,34 +66,34 @@ size_t Pieces::triangles() const
 
 size_t Pieces::choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const
 {
-    for (std::vector<uint32_t> &indices : choice) indices.clear();
-    std::vector<std::pair<double, uint32_t>> order;  // the nearest first, so that GL paints few pixels twice
+    for (std::vector<uint32_t> &indices : choice.indices) indices.clear();
+    choice.order.clear();
     for (uint32_t i = 0; i < pieces_.size(); ++i) {
         const Sphere &sphere = pieces_[i].sphere;
         if (cull && !cull->meets(sphere)) continue;
         const double x = static_cast<double>(sphere.centre.x) - eye[0],
                      y = static_cast<double>(sphere.centre.y) - eye[1];
         const double z = static_cast<double>(sphere.centre.z) - eye[2];
-        order.emplace_back(std::sqrt(x * x + y * y + z * z) - static_cast<double>(sphere.radius), i);
+        choice.order.emplace_back(std::sqrt(x * x + y * y + z * z) - static_cast<double>(sphere.radius), i);
     }
-    std::sort(order.begin(), order.end());
-    for (const auto &[distance, i] : order) {
+    std::sort(choice.order.begin(), choice.order.end());  // the nearest first, so that GL paints few pixels twice
+    for (const auto &[distance, i] : choice.order) {
         const Visibility hidden = distance < static_cast<double>(near_m) ? Visibility::far : Visibility::near;
         for (const Span &span : pieces_[i].spans) {
             if (span.seen == hidden) continue;
             const size_t layer = static_cast<size_t>(span.layer);
             const auto first = layers_[layer].indices().begin() + span.first;
-            choice[layer].insert(choice[layer].end(), first, first + span.count);
+            choice.indices[layer].insert(choice.indices[layer].end(), first, first + span.count);
         }
     }
     size_t sum = 0;
-    for (const std::vector<uint32_t> &indices : choice) sum += indices.size() / 3;
+    for (const std::vector<uint32_t> &indices : choice.indices) sum += indices.size() / 3;
     return sum;
 }
 
 void Pieces::draw(const Gl &g, SurfaceKind layer, const Choice &choice) const
 {
-    on(layer).draw(g, choice[static_cast<size_t>(layer)]);
+    on(layer).draw(g, choice.indices[static_cast<size_t>(layer)]);
 }
 
 }  // namespace scenes::town

@@ -46,7 +46,10 @@ public:
     const std::vector<Piece> &all() const { return pieces_; }
     size_t triangles() const;
     // The selection to draw: the indices of each layer.
-    using Choice = std::array<std::vector<uint32_t>, surface_kind_count>;
+    struct Choice {
+        std::array<std::vector<uint32_t>, surface_kind_count> indices;
+        std::vector<std::pair<double, uint32_t>> order;  // of the pieces, by distance
+    };
     // Selects pieces that meet a frustum (null: all), as seen from a point. Returns the number of triangles.
     size_t choose(const Frustum *cull, const double (&eye)[3], Choice &choice) const;
     // One GL call.
