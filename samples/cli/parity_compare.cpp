@@ -80,7 +80,7 @@ void add_parity_compare(CLI::App &parity_command, Work &chosen)
         "codes: 0 within the tolerance, 1 not, 2 they cannot be compared");
     c->add_option("REFERENCE", a->reference, "The folder of the reference result")->required();
     c->add_option("RESULT", a->result, "The folder of the result to check")->required();
-    c->add_option("--tolerance", a->tolerance, "exact, gpu, loose or a TOML file")->capture_default_str();
+    c->add_option("--tolerance", a->tolerance, "exact, gpu, coarse, loose or a TOML file")->capture_default_str();
     c->add_option("--json", a->json, "Write all measures as JSON; - is standard output");
     c->add_option("--html", a->html, "Write an HTML page with pictures of the differences; - is standard output");
     c->add_option("--pixels-per-degree", a->pixels_per_degree, "Pixels a degree of the viewer's screen, for FLIP")

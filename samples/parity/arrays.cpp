@@ -48,7 +48,10 @@ Deviation deviation(const std::vector<float> &reference, const std::vector<float
                 ++d.not_finite;
                 continue;
             }
-            for (int c = 0; c < 3; ++c) ulps.push_back(ulp_distance(a[c], b[c]));
+            for (int c = 0; c < 3; ++c) {
+                ulps.push_back(ulp_distance(a[c], b[c]));
+                if (ulps.back() > d.ulp_max) d.ulp_max = ulps.back(), d.ulp_reference = a[c], d.ulp_result = b[c];
+            }
             const double apart = measure(a, b);
             squares += apart * apart;
             if (span.size_m > 0) d.max_relative = std::max(d.max_relative, apart / span.size_m);
@@ -59,7 +62,6 @@ Deviation deviation(const std::vector<float> &reference, const std::vector<float
         }
     if (ulps.empty()) return d;
     d.rms = std::sqrt(squares / static_cast<double>(d.compared - d.not_finite));
-    d.ulp_max = *std::max_element(ulps.begin(), ulps.end());
     const auto middle = ulps.begin() + static_cast<std::ptrdiff_t>(ulps.size() / 2);
     std::nth_element(ulps.begin(), middle, ulps.end());
     d.ulp_median = *middle;

@@ -21,8 +21,9 @@ struct Deviation {
     double max = 0, rms = 0;  // distances, or angles in degrees for normals
     double max_relative = 0;  // the largest distance in sizes of its character; for positions only
     uint32_t worst_actor = 0;
-    size_t worst_vertex = 0;               // of that actor
-    uint32_t ulp_max = 0, ulp_median = 0;  // over all components
+    size_t worst_vertex = 0;                  // of that actor
+    uint32_t ulp_max = 0, ulp_median = 0;     // over all components
+    float ulp_reference = 0, ulp_result = 0;  // the numbers that are ulp_max apart
 };
 
 // xyz: three numbers a vertex. The spans lie inside both arrays.

@@ -39,26 +39,51 @@ void add_zones(const Pair &pair, Comparison &out)
 {
     const Map<uint64_t> a = zone_ids(*pair.reference.actor, *pair.reference.zone);
     const Map<uint64_t> b = zone_ids(*pair.result.actor, *pair.result.zone);
-    std::vector<uint8_t> same_actor;
-    for (size_t i = 0; i < a.values.size(); ++i)
-        same_actor.push_back(pair.reference.actor->values[i] == pair.result.actor->values[i]);
+    Counted same_actor;
+    size_t people = 0;
+    for (size_t i = 0; i < a.values.size(); ++i) {
+        const uint32_t id = pair.reference.actor->values[i];
+        same_actor.push_back(id == pair.result.actor->values[i]);
+        people += same_actor.back() != 0 && id != 0;
+    }
     IdAgreement ids = compare_ids(a, b, same_actor);
     out.measures.push_back({"zone_ids.outside", static_cast<double>(ids.outside), "pixels", first_outside(ids)});
+    out.measures.push_back({"zone_ids.outside_share",
+                            people == 0 ? 0 : static_cast<double>(ids.outside) / static_cast<double>(people), "",
+                            "of " + pixels(people)});
     out.measures.push_back({"zone_ids.different", ids.share(), "", pixels(ids.different)});
     out.measures.push_back({"zone_ids.at_borders", ids.border_share(), "", "of " + pixels(ids.borders)});
+    const WorstRegion worst = worst_ids(a, b, same_actor);
+    if (worst.regions > 0)
+        out.measures.push_back({"zone_ids.worst_zone", worst.value, "", zone_text(pair.reference, worst)});
     out.zone_marks = std::move(ids.marks);
 }
 
-// Pixels in which either picture shows an individual, so that an empty background does not dilute shares. Empty:
-// unknown.
-std::vector<uint8_t> who_shows_somebody(const Pair &pair)
+// Pixels at which both show the same individual; empty: not known, and all count. Depth at other pixels is that of
+// something else, and actor_ids has counted it.
+Counted same_individual(const Pair &pair)
 {
-    std::vector<uint8_t> out;
+    Counted out;
+    const auto &a = pair.reference.actor, &b = pair.result.actor;
+    if (!a || !b) return out;
+    for (size_t i = 0; i < a->values.size(); ++i) out.push_back(a->values[i] == b->values[i]);
+    return out;
+}
+
+// Pixels that show an individual, so that an empty background does not dilute shares; of these, where both have ids,
+// those at which both show the same individual and zone. Empty: not known, or there are none.
+Counted people_alike(const Pair &pair)
+{
+    Counted out;
     const auto &a = pair.reference.actor, &b = pair.result.actor;
     if (!a && !b) return out;
+    const auto &zones = pair.reference.zone, &own_zones = pair.result.zone;
     bool any = false;
     for (size_t i = 0; i < pair.reference.colour->pixels(); ++i) {
-        out.push_back((a && a->values[i] != 0) || (b && b->values[i] != 0));
+        const bool shown = (a && a->values[i] != 0) || (b && b->values[i] != 0);
+        const bool alike = !a || !b || a->values[i] == b->values[i];
+        const bool alike_zone = !zones || !own_zones || zones->values[i] == own_zones->values[i];
+        out.push_back(shown && alike && alike_zone);
         any = any || out.back() != 0;
     }
     if (!any) out.clear();
@@ -77,6 +102,12 @@ void compare_id_maps(const Pair &pair, Comparison &out)
     out.measures.push_back({"actor_ids.outside", static_cast<double>(ids.outside), "pixels", first_outside(ids)});
     out.measures.push_back({"actor_ids.different", ids.share(), "", pixels(ids.different)});
     out.measures.push_back({"actor_ids.at_silhouettes", ids.border_share(), "", "of " + pixels(ids.borders)});
+    const WorstRegion worst = worst_ids(actor_ids(*pair.reference.actor), actor_ids(*pair.result.actor), {});
+    if (worst.regions > 0)
+        out.measures.push_back(
+            {"actor_ids.worst_actor", worst.value, "",
+             worst.value > 0 ? actor_text(pair.reference, static_cast<uint32_t>(worst.id)) + ", " + pixels(worst.pixels)
+                             : ""});
     out.actor_marks = std::move(ids.marks);
     if (both_have(pair.reference.zone, pair.result.zone, "zone_ids", "zone.npy", out)) add_zones(pair, out);
 }
@@ -84,14 +115,15 @@ void compare_id_maps(const Pair &pair, Comparison &out)
 void compare_depth(const Pair &pair, Comparison &out)
 {
     if (!both_have(pair.reference.depth, pair.result.depth, "depth", "depth.npy", out)) return;
-    const DepthDeviation d = depth_deviation(*pair.reference.depth, *pair.result.depth);
+    const Counted counted = same_individual(pair);
+    const DepthDeviation d = depth_deviation(*pair.reference.depth, *pair.result.depth, counted);
     out.measures.push_back({"depth.max", d.max, "", d.max > 0 ? pixel(d.max_x, d.max_y) : ""});
     out.measures.push_back({"depth.rms", d.rms, "", pixels(d.compared)});
     out.measures.push_back({"depth.median", d.median, "", {}});
     out.measures.push_back({"depth.p99_9", d.p99_9, "", {}});
     if (pair.reference.actor) {
         const WorstRegion worst =
-            worst_depth(actor_ids(*pair.reference.actor), *pair.reference.depth, *pair.result.depth);
+            worst_depth(actor_ids(*pair.reference.actor), *pair.reference.depth, *pair.result.depth, counted);
         const std::string whose = actor_text(pair.reference, static_cast<uint32_t>(worst.id)) + ", ";
         if (worst.regions > 0)
             out.measures.push_back(
@@ -104,18 +136,24 @@ void compare_colour(const Pair &pair, double pixels_per_degree, Comparison &out)
 {
     if (!both_have(pair.reference.colour, pair.result.colour, "colour", "colour.npy", out)) return;
     const Picture &a = *pair.reference.colour, &b = *pair.result.colour;
-    const std::vector<uint8_t> counted = who_shows_somebody(pair);
+    const Counted counted = people_alike(pair);
     const ColourDeviation d = colour_deviation(a, b, counted);
-    const std::string of = counted.empty() ? "of all pixels" : "of pixels that show individuals";
+    const std::string of = counted.empty()                             ? "of all pixels"
+                           : pair.reference.actor && pair.result.actor ? "of pixels that show individuals alike"
+                                                                       : "of pixels that show individuals";
     out.measures.push_back({"colour.max", double(d.max), "LSB", {}});
     out.measures.push_back({"colour.over_1", d.share_over(1), "", of});
     out.measures.push_back({"colour.over_2", d.share_over(2), "", of});
     out.measures.push_back({"colour.over_8", d.share_over(8), "", of});
     if (pair.reference.actor && pair.reference.zone) {
-        const WorstRegion worst = worst_colour(zone_ids(*pair.reference.actor, *pair.reference.zone), a, b);
+        const Map<uint64_t> zones = zone_ids(*pair.reference.actor, *pair.reference.zone);
+        const WorstRegion worst = worst_colour(zones, a, b, counted), bias = worst_bias(zones, a, b, counted);
         if (worst.regions > 0)
             out.measures.push_back({"colour.worst_zone", worst.value, "LSB", zone_text(pair.reference, worst)});
+        if (bias.regions > 0)
+            out.measures.push_back({"colour.worst_bias", bias.value, "LSB", zone_text(pair.reference, bias)});
     }
+    out.measures.push_back({"colour.bias", d.bias, "LSB", of});
     out.measures.push_back({"colour.psnr_db", d.psnr_db, "dB", {}});
     if (std::min(a.width, a.height) >= ssim_window) out.measures.push_back({"colour.ssim", mean_ssim(a, b), "", {}});
     out.flip = flip_map(a, b, pixels_per_degree);

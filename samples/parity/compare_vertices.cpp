@@ -1,5 +1,6 @@
 // Measures of individuals, their skinned positions and their normals.
 #include <algorithm>
+#include <cstdio>
 
 #include "samples/parity/arrays.h"
 #include "samples/parity/compare_parts.h"
@@ -59,6 +60,15 @@ std::string where(const Pair &pair, const Deviation &d)
     return d.worst_actor == 0 ? vertex : actor_text(pair.reference, d.worst_actor) + ", " + vertex;
 }
 
+// Near 0 floats lie so densely that millions of them fit between two coordinates that mean the same.
+std::string between(const Deviation &d)
+{
+    if (d.ulp_max == 0) return {};
+    char text[64];
+    std::snprintf(text, sizeof text, "between %.3g and %.3g", double(d.ulp_reference), double(d.ulp_result));
+    return text;
+}
+
 void add_positions(const Pair &pair, Comparison &out)
 {
     const auto &a = *pair.reference.positions, &b = *pair.result.positions;
@@ -68,7 +78,7 @@ void add_positions(const Pair &pair, Comparison &out)
     out.measures.push_back({"positions.rms_m", d.rms, "m", std::to_string(d.compared) + " vertices"});
     const bool sized = std::any_of(spans.begin(), spans.end(), [](const Span &s) { return s.size_m > 0; });
     if (sized) out.measures.push_back({"positions.max_relative", d.max_relative, "", {}});
-    out.measures.push_back({"positions.ulp_max", double(d.ulp_max), "ULP", {}});
+    out.measures.push_back({"positions.ulp_max", double(d.ulp_max), "ULP", between(d)});
     out.measures.push_back({"positions.ulp_median", double(d.ulp_median), "ULP", {}});
     out.measures.push_back({"positions.not_finite", static_cast<double>(d.not_finite), "vertices", {}});
 }
@@ -79,7 +89,7 @@ void add_normals(const Pair &pair, Comparison &out)
     const Deviation d = normals_deviation(a, b, spans_of(pair, a.size() / 3, b.size() / 3));
     out.measures.push_back({"normals.max_deg", d.max, "degrees", where(pair, d)});
     out.measures.push_back({"normals.rms_deg", d.rms, "degrees", {}});
-    out.measures.push_back({"normals.ulp_max", double(d.ulp_max), "ULP", {}});
+    out.measures.push_back({"normals.ulp_max", double(d.ulp_max), "ULP", between(d)});
     out.measures.push_back({"normals.ulp_median", double(d.ulp_median), "ULP", {}});
     out.measures.push_back({"normals.not_finite", static_cast<double>(d.not_finite), "normals", {}});
 }

@@ -19,7 +19,8 @@ double quantile(std::vector<double> &values, double share)
 
 }  // namespace
 
-DepthDeviation depth_deviation(const Map<float> &reference, const Map<float> &result)
+DepthDeviation depth_deviation(const Map<float> &reference, const Map<float> &result,
+                               const std::vector<uint8_t> &counted)
 {
     DepthDeviation d;
     std::vector<double> apart;
@@ -27,7 +28,7 @@ DepthDeviation depth_deviation(const Map<float> &reference, const Map<float> &re
     for (int y = 0; y < reference.height; ++y)
         for (int x = 0; x < reference.width; ++x) {
             const float a = reference.at(x, y), b = result.at(x, y);
-            if (a >= 1 && b >= 1) continue;
+            if ((a >= 1 && b >= 1) || (!counted.empty() && counted[reference.index(x, y)] == 0)) continue;
             ++d.compared;
             if (!std::isfinite(a) || !std::isfinite(b)) {
                 ++d.not_finite;

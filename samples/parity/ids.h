@@ -21,6 +21,7 @@ struct IdAgreement {
     Map<Mark> marks;
 
     double share() const { return compared == 0 ? 0 : double(different) / double(compared); }
+    double outside_share() const { return compared == 0 ? 0 : double(outside) / double(compared); }
     double border_share() const { return borders == 0 ? 0 : double(different - outside) / double(borders); }
 };
 

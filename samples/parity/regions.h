@@ -7,9 +7,13 @@
 namespace parity
 {
 
-constexpr size_t least_region_pixels = 4;  // smaller regions are ignored
+// Smaller regions are ignored.
+constexpr size_t least_region_pixels = 4, least_bias_pixels = 16;
 
-// The worst region of those with at least this many pixels; border pixels belong to none.
+// Pixels that count, nonzero; empty: all.
+using Counted = std::vector<uint8_t>;
+
+// The worst region of those with enough pixels.
 struct WorstRegion {
     size_t regions = 0;  // 0: none was large enough, and there is no worst one
     uint64_t id = 0;
@@ -17,10 +21,19 @@ struct WorstRegion {
     double value = 0;
 };
 
-// value: the mean difference in LSB of the channel that differs most, over the region.
-WorstRegion worst_colour(const Map<uint64_t> &ids, const Picture &reference, const Picture &result);
+// Of regions without their border pixels; id 0, the background, is a region too.
+// value: the mean difference in LSB of the channel that differs most.
+WorstRegion worst_colour(const Map<uint64_t> &ids, const Picture &reference, const Picture &result,
+                         const Counted &counted);
+// value: the median difference of window depth.
+WorstRegion worst_depth(const Map<uint64_t> &ids, const Map<float> &reference, const Map<float> &result,
+                        const Counted &counted);
+// value: the share of pixels at which the result has another id.
+WorstRegion worst_ids(const Map<uint64_t> &reference, const Map<uint64_t> &result, const Counted &counted);
 
-// value: the median difference of window depth over the region. Id 0, the background, is a region too.
-WorstRegion worst_depth(const Map<uint64_t> &ids, const Map<float> &reference, const Map<float> &result);
+// Of whole regions. value: the difference in LSB of the mean colours, of the channel that differs most. Texels that lie
+// a part of a pixel elsewhere cancel out in it; another light or colour does not.
+WorstRegion worst_bias(const Map<uint64_t> &ids, const Picture &reference, const Picture &result,
+                       const Counted &counted);
 
 }  // namespace parity

@@ -87,7 +87,7 @@ Tolerance tolerance_from(const std::string &tolerance, const std::string &path)
     Tolerance t;
     if (const toml::node *base = file.get("base")) {
         const Tolerance *named = find_named(base->value_or(std::string()));
-        if (!named) throw Unreadable(at(*base, path) + "'base' may be exact, gpu or loose");
+        if (!named) throw Unreadable(at(*base, path) + "'base' may be exact, gpu, coarse or loose");
         t = *named;
     }
     t.name = path;
@@ -110,7 +110,8 @@ Tolerance tolerance_of(const std::string &name_or_file)
     if (const Tolerance *named = find_named(name_or_file)) return *named;
     std::error_code error;
     if (!std::filesystem::is_regular_file(name_or_file, error))
-        throw Unreadable("there is no tolerance and no file '" + name_or_file + "'; tolerances are exact, gpu, loose");
+        throw Unreadable("there is no tolerance and no file '" + name_or_file +
+                         "'; tolerances are exact, gpu, coarse, loose");
     std::string text;
     const std::string wrong = io::read_whole(name_or_file, text);
     if (!wrong.empty()) throw Unreadable(wrong);

@@ -20,7 +20,7 @@ struct Tolerance {
     std::vector<std::string> required;  // groups that must be compared
 };
 
-const std::vector<Tolerance> &named_tolerances();  // exact, gpu, loose
+const std::vector<Tolerance> &named_tolerances();  // exact, gpu, coarse, loose
 
 // Takes one of these names, or a TOML file: 'require = ["positions"]', tables [at_most] and [at_least] of measures;
 // 'base' names a tolerance to start from. Throws Unreadable for an unknown name or file, text that is not TOML (with

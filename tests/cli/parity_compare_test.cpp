@@ -78,7 +78,8 @@ TEST_F(ParityCompare, FoldersThatCannotBeComparedAreRefusedInOneLine)
         EXPECT_NE(done.err.find(sentence), std::string::npos) << done.err;
         EXPECT_EQ(done.out, "");
     };
-    refused({"--tolerance", "fine"}, "there is no tolerance and no file 'fine'; tolerances are exact, gpu, loose.");
+    refused({"--tolerance", "fine"},
+            "there is no tolerance and no file 'fine'; tolerances are exact, gpu, coarse, loose.");
     std::ofstream(path("mine.toml")) << "[at_most]\ncolours = 1\n";
     refused({"--tolerance", path("mine.toml")}, "mine.toml, line 2: there is no measure 'colours'.");
     overwrite("yours/depth.npy", 0, "PK");

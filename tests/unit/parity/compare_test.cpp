@@ -106,7 +106,7 @@ TEST_F(Comparing, APictureOfColoursAloneIsNotEnough)
         c->actors.reset(), c->positions.reset(), c->normals.reset();
         c->depth.reset(), c->actor.reset(), c->zone.reset();
     }
-    for (const char *tolerance : {"exact", "gpu"}) {
+    for (const char *tolerance : {"exact", "gpu", "coarse"}) {
         const Verdict v = verdict(tolerance);
         EXPECT_FALSE(v.pass) << tolerance;
         EXPECT_EQ(v.lacking.size(), 6u) << tolerance << ": " << reasons(v, 9);
@@ -170,6 +170,68 @@ TEST_F(Comparing, OneZoneOfAnotherColourIsFoundWherePixelSharesHideIt)
     EXPECT_EQ(value("colour.worst_zone"), 3);
 }
 
+// Actor 5's column at the background shows nothing in the result.
+TEST_F(Comparing, DepthAndColourCountWhereIdsAgree)
+{
+    for (size_t i = 0; i < b.actor->values.size(); ++i) {
+        if (i % 16 != 8) continue;
+        b.actor->values[i] = 0, b.zone->values[i] = 0, b.depth->values[i] = 1;
+        for (size_t c = 3 * i; c < 3 * i + 3; ++c) b.colour->rgb[c] = 0;
+    }
+    EXPECT_EQ(value("actor_ids.different"), 12.0 / 192);
+    for (const char *measure : {"depth.max", "depth.p99_9", "depth.worst_actor", "colour.over_1", "colour.bias",
+                                "colour.worst_zone", "colour.worst_bias"})
+        EXPECT_EQ(value(measure), 0) << measure;
+    EXPECT_GT(value("colour.max"), 0);  // of the whole picture
+    b.actor.reset(), b.zone.reset();
+    EXPECT_GT(value("depth.max"), 0.3);
+    EXPECT_GT(value("colour.over_8"), 0.05);
+}
+
+TEST_F(Comparing, AtAnotherZoneColourDoesNotCountAndDepthDoes)
+{
+    const size_t at = 5 * 16 + 4;  // the first row of zone 2
+    b.zone->values[at] = 1;
+    b.colour->rgb[3 * at] = 0, b.depth->values[at] += 0.125f;
+    EXPECT_EQ(value("colour.over_1"), 0);
+    EXPECT_EQ(value("depth.max"), 0.125);
+}
+
+TEST_F(Comparing, AFewTexelsOfAnotherZonePassGpuAndAWholeZoneDoesNot)
+{
+    const auto only_zones = [this] {
+        Verdict v = verdict("gpu");
+        v.lacking.clear();
+        return reasons(v, 9);
+    };
+    a.width = b.width = 200, a.height = b.height = 100;
+    for (Capture *c : {&a, &b}) {
+        c->depth.reset(), c->colour.reset();
+        c->actor = Map<uint32_t>(200, 100, 2);
+        c->zone = Map<uint16_t>(200, 100, 1);
+        for (int y = 50; y < 56; ++y)
+            for (int x = 50; x < 56; ++x) c->zone->values[c->zone->index(x, y)] = 2;
+    }
+    for (const int x : {10, 20, 30}) b.zone->values[b.zone->index(x, 20)] = 2;
+    EXPECT_EQ(value("zone_ids.outside"), 3);
+    EXPECT_EQ(value("zone_ids.outside_share"), 3.0 / 20000);
+    EXPECT_EQ(only_zones(), "");
+    for (int y = 51; y < 55; ++y)
+        for (int x = 51; x < 55; ++x) b.zone->values[b.zone->index(x, y)] = 1;  // 16 of 20 000 pixels, one zone whole
+    EXPECT_EQ(only_zones(), "zone_ids.worst_zone is 1 (at most 0.5)");
+    EXPECT_LT(value("zone_ids.outside_share"), 0.001);
+    for (int x = 0; x < 20; ++x) b.zone->values[b.zone->index(x, 90)] = 2;
+    EXPECT_NE(only_zones().find("zone_ids.outside_share"), std::string::npos) << only_zones();
+}
+
+TEST_F(Comparing, OneIndividualMissingAmongManyIsFoundByItsShare)
+{
+    for (size_t i = 0; i < b.actor->values.size(); ++i)
+        if (b.actor->values[i] == 2 && i / 16 > 0 && i / 16 < 11) b.actor->values[i] = 0;
+    EXPECT_EQ(value("actor_ids.worst_actor"), 10.0 / 12);
+    EXPECT_FALSE(verdict("coarse").find("actor_ids.worst_actor")->kept);
+}
+
 TEST_F(Comparing, AVertexThatMovesByMoreThanRoundingIsFound)
 {
     (*b.positions)[10] += 0.0005f;
@@ -177,6 +239,15 @@ TEST_F(Comparing, AVertexThatMovesByMoreThanRoundingIsFound)
     b = a;
     (*b.positions)[10] += 0.00005f;
     EXPECT_FALSE(verdict("exact").pass);
+    EXPECT_TRUE(verdict("gpu").pass);
+}
+
+TEST_F(Comparing, ManyFloatsNearZeroAreExplainedAndPassGpu)
+{
+    (*a.positions)[0] = 1e-9f, (*b.positions)[0] = -2e-10f;
+    EXPECT_GT(value("positions.ulp_max"), 1e9);
+    for (const Measure &m : compare(a, b, 67).measures)
+        if (m.name == "positions.ulp_max") EXPECT_EQ(m.where, "between 1e-09 and -2e-10");
     EXPECT_TRUE(verdict("gpu").pass);
 }
 

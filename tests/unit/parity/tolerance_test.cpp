@@ -62,7 +62,7 @@ TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
     EXPECT_EQ(refusal("\nrequire = 'depth'\n"), "t.toml, line 2: 'require' has to be a list of strings");
     EXPECT_EQ(refusal("require = ['deep']\n").substr(0, 56),
               "t.toml, line 1: 'require' may name actors, positions, no");
-    EXPECT_EQ(refusal("base = 'best'\n"), "t.toml, line 1: 'base' may be exact, gpu or loose");
+    EXPECT_EQ(refusal("base = 'best'\n"), "t.toml, line 1: 'base' may be exact, gpu, coarse or loose");
     EXPECT_EQ(refusal("max = 1\n"), "t.toml, line 1: 'max' is not one of base, require, [at_most] and [at_least]");
     EXPECT_EQ(refusal("# nothing\n"), "t.toml sets no limit");
     std::string deep = "# a key of many parts\n[a";
@@ -100,9 +100,9 @@ TEST(Verdicts, RequestedDataMustBeCompared)
     EXPECT_EQ(reasons(v, 3), "depth was not compared (the result has no depth.npy)");
 }
 
-TEST(Verdicts, ExactAndGpuRequireEveryGroup)
+TEST(Verdicts, ExactGpuAndCoarseRequireEveryGroup)
 {
-    for (const char *name : {"exact", "gpu"})
+    for (const char *name : {"exact", "gpu", "coarse"})
         for (const std::string &group : measure_groups()) {
             Comparison c;
             c.not_compared = {{group, "neither has it"}};
