@@ -22,8 +22,13 @@ h1 { font-size: 1.5rem; margin-bottom: .2rem; } h2 { font-size: 1.1rem; margin: 
 .scroll { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
 th, td { text-align: left; padding: .25rem .8rem .25rem 0; border-bottom: 1px solid var(--rule); vertical-align: top; }
-td.number { white-space: nowrap; }
-.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; }
+td.number { white-space: nowrap; } td.path { overflow-wrap: anywhere; }
+@media (max-width: 45rem) {  /* a row is a few lines: the name and the number, then what they mean */
+  table, tbody { display: block; } tr.names { display: none; }
+  tr { display: flex; flex-wrap: wrap; gap: 0 .8rem; padding: .35rem 0; border-bottom: 1px solid var(--rule); }
+  th, td { padding: 0; border: 0; overflow-wrap: anywhere; } td:empty { display: none; } td.line { flex-basis: 100%; }
+}
+.figures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(20rem, 100%), 1fr)); gap: 1rem; }
 figure { margin: 0; } img { width: 100%; height: auto; border: 1px solid var(--rule); background: #000; }
 figcaption { color: var(--soft); font-size: .9rem; } figcaption b { color: var(--ink); }
 </style></head><body>
@@ -44,8 +49,9 @@ std::string escaped(const std::string &text)
 
 std::string side(const char *name, const Capture &c)
 {
-    return std::string("<tr><th>") + name + "</th><td>" + escaped(c.folder) + "</td><td>" + escaped(c.renderer) +
-           "</td><td class=\"soft\">" + escaped(c.scene) + "</td></tr>\n";
+    return std::string("<tr><th>") + name + "</th><td class=\"path\">" + escaped(c.folder) +
+           "</td><td class=\"line\">" + escaped(c.renderer) + "</td><td class=\"line soft\">" + escaped(c.scene) +
+           "</td></tr>\n";
 }
 
 std::string row(const Measure &m, const Check *check)
@@ -56,8 +62,8 @@ std::string row(const Measure &m, const Check *check)
         limit = std::string(check->at_least ? "at least " : "at most ") + number_text(check->bound) +
                 (check->kept ? " <span class=\"pass\">kept</span>" : " <span class=\"fail\">broken</span>");
     return "<tr><td>" + m.name + "</td><td class=\"number\">" + number_text(m.value) + escaped(unit) +
-           "</td><td class=\"number\">" + limit + "</td><td class=\"soft\">" + escaped(find_kind(m.name)->meaning) +
-           (m.where.empty() ? "" : "; " + escaped(m.where)) + "</td></tr>\n";
+           "</td><td class=\"number\">" + limit + "</td><td class=\"line soft\">" +
+           escaped(find_kind(m.name)->meaning) + (m.where.empty() ? "" : "; " + escaped(m.where)) + "</td></tr>\n";
 }
 
 std::string figure(const Figure &f)
@@ -76,7 +82,9 @@ std::string report_html(const Report &report, const std::vector<Figure> &figures
     out += "<p>Tolerance " + escaped(v.tolerance) + ", " + std::to_string(v.checks.size()) + " limits" +
            (v.pass ? "." : ": " + escaped(reasons(v, 99)) + ".") + "</p>\n<div class=\"scroll\"><table>\n" +
            side("Reference", report.reference) + side("Result", report.result) + "</table></div>\n<h2>Measures</h2>\n";
-    out += "<div class=\"scroll\"><table><tr><th>Measure</th><th>Value</th><th>Limit</th><th>What it is</th></tr>\n";
+    out +=
+        "<div class=\"scroll\"><table><tr class=\"names\"><th>Measure</th><th>Value</th><th>Limit</th><th>What it "
+        "is</th></tr>\n";
     for (const Measure &m : report.comparison.measures) out += row(m, v.find(m.name));
     out += "</table></div>\n";
     for (const NotCompared &n : report.comparison.not_compared)
