@@ -41,7 +41,7 @@ build: setup
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
 # The claque command alone: no test, no benchmark, no host. `make run` needs its subcommands that draw pictures.
-BUILD_ONLY = cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); \
+BUILD_ONLY = cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || { $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); }; \
     cmake --build --preset $(PRESET) -j $(JOBS) --target
 
 command:
