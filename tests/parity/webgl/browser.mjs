@@ -34,7 +34,8 @@ function wrongIn({ method, params }) {
         return `${text} ${exception?.description ?? ''}`;
     }
     if (method === 'Runtime.consoleAPICalled' && ['error', 'assert'].includes(params.type)) return said(params.args);
-    if (method === 'Log.entryAdded' && params.entry.level === 'error') return `${params.entry.text} ${params.entry.url ?? ''}`;
+    const entry = params?.entry;
+    if (method === 'Log.entryAdded' && entry.level === 'error') return `${entry.text} ${entry.url ?? ''}`;
     if (method === 'Inspector.targetCrashed') return 'the page crashed';
     return undefined;
 }

@@ -16,8 +16,9 @@ const seconds = 540;
 const places = ['node_modules/three', '../../../build/webgl/node_modules/three'].map((name) => join(here, name));
 
 function usage(why) {
-    console.error(`render.mjs: ${why}\nrender.mjs SCENE RESULT [--driver ${Object.keys(drivers).join('|')}] [--times N] ` +
-        `[--break ${Object.keys(breaks).join('|')}] [--three FOLDER]`);
+    const driver = Object.keys(drivers).join('|'), mistake = Object.keys(breaks).join('|');
+    console.error(`render.mjs: ${why}`);
+    console.error(`render.mjs SCENE RESULT [--driver ${driver}] [--times N] [--break ${mistake}] [--three FOLDER]`);
     process.exit(2);
 }
 

@@ -20,6 +20,13 @@ function geometryOf(mesh) {
     return geometry;
 }
 
+function trianglesOf(mesh) {
+    const geometry = geometryOf(mesh);
+    geometry.setIndex(new three.BufferAttribute(mesh.indices, 1));
+    mesh.groups.forEach(({ start, count }, i) => geometry.addGroup(start, count, i));
+    return geometry;
+}
+
 export class Crowd {
     constructor(scene) {
         const { lighting, fog } = scene.json, { atlas, palettes } = scene.arrays;
@@ -33,7 +40,7 @@ export class Crowd {
             fogStart: { value: fog?.start ?? 0 }, fogEnd: { value: fog?.end ?? 1 },
         };
         this.meshes = scene.meshes.map((mesh) => ({
-            geometry: geometryOf(mesh), deltas: mesh.targets ? rowsOf(mesh.deltas) : null,
+            geometry: trianglesOf(mesh), deltas: mesh.targets ? rowsOf(mesh.deltas) : null,
         }));
     }
 
@@ -87,15 +94,10 @@ export class Crowd {
 
     // All individuals, in the order of the draw list. three.js finds those that are mirrored by the determinant.
     people() {
-        const { individuals, meshes, arrays } = this.scene, all = new three.Scene();
+        const { individuals, arrays } = this.scene, all = new three.Scene();
         for (const individual of individuals.toSorted((a, b) => a.draw_order - b.draw_order)) {
             const { actor, mesh, row } = individual;
-            const geometry = this.meshes[mesh].geometry;
-            if (!geometry.index) {
-                geometry.setIndex(new three.BufferAttribute(meshes[mesh].indices, 1));
-                meshes[mesh].groups.forEach(({ start, count }, i) => geometry.addGroup(start, count, i));
-            }
-            const person = new three.Mesh(geometry, this.materials(mesh));
+            const person = new three.Mesh(this.meshes[mesh].geometry, this.materials(mesh));
             person.matrixWorld.set(...arrays.model_view.subarray(16 * row, 16 * row + 16));
             all.add(this.follows(person, individual, { row, actor }));
         }

@@ -1,5 +1,5 @@
-// scene.glb: the part of glTF 2.0 that docs/parity.md promises. A general loader will not do: three.js's drops JOINTS_1,
-// makes the sum of four weights 1, and takes textures for sRGB.
+// scene.glb: the part of glTF 2.0 that docs/parity.md promises. A general loader will not do: that of three.js drops
+// JOINTS_1, makes the sum of four weights 1, and takes textures for sRGB.
 const components = { 5121: Uint8Array, 5123: Uint16Array, 5125: Uint32Array, 5126: Float32Array };
 const widths = { SCALAR: 1, VEC2: 2, VEC3: 3, VEC4: 4 };
 

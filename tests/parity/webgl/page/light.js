@@ -1,7 +1,7 @@
 // The lights of a scene, and how much light a vertex can get from them.
 
-// The most that any normal gets in a channel. Lights in directions add most where the normal is the direction of the sum
-// of those that it sees, so all subsets are tried; one at a place may stand in any direction.
+// The most that any normal gets in a channel. Lights in directions add most where the normal is the direction of the
+// sum of those that it sees, so all subsets are tried; one at a place may stand in any direction.
 function mostOf({ ambient, lights }, channel) {
     let always = ambient[channel];
     const directions = [];

@@ -22,8 +22,8 @@ function targetOf(w, h) {
 }
 
 // `times`: how many times as large the picture is drawn in each direction. Of `times` x `times` pixels the one is kept
-// whose centre is the centre of the small pixel; for even numbers the picture moves by half a large pixel, so that there
-// is one. That makes a rasteriser which places vertices coarsely as many times finer.
+// whose centre is the centre of the small pixel; for even numbers the picture moves by half a large pixel, so that
+// there is one. That makes a rasteriser which places vertices coarsely as many times finer.
 export function drawPictures(renderer, crowd, times) {
     const { width, height, projection } = crowd.scene.json, pixels = width * height;
     const out = {
