@@ -15,6 +15,7 @@ libosmesa6 libegl1 libgl1-mesa-dri
 clang-format libgtest-dev libbenchmark-dev
 libdraco-dev libmeshoptimizer-dev libwebp-dev libassimp-dev
 libexpat1-dev libsqlite3-dev zlib1g-dev librecast-dev
+libopenmpi-dev openmpi-bin
 xvfb xdotool libglut-dev libopenscenegraph-dev libimgui-dev libsdl2-dev libvncserver-dev
 python3-numpy python3-pytest
 "

@@ -92,6 +92,23 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
     return made;
 }
 
+scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedCharacter &loaded, const std::string &path,
+                                      const std::vector<std::string> &hidden, const ClipArguments &clips,
+                                      scenes::Lod levels)
+{
+    clq_template *made = nullptr;
+    if (is_prepared(path)) {
+        if (!clips.files.empty() || clips.vary > 0)
+            throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
+        const std::vector<unsigned char> bytes = read_file(path);
+        check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
+    } else {
+        if (levels == scenes::Lod::on) made = in_levels(library, path, hidden, clips);
+        if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
+    }
+    return scenes::Own<clq_template>(made);
+}
+
 }  // namespace
 
 scenes::Character LoadedCharacter::character() const
@@ -136,18 +153,8 @@ LoadedCharacter load_character(scenes::Library &library, const std::string &path
                                const std::vector<std::string> &hidden, const ClipArguments &clips, scenes::Lod levels)
 {
     LoadedCharacter loaded;
-    clq_template *made = nullptr;
-    if (is_prepared(path)) {
-        if (!clips.files.empty() || clips.vary > 0)
-            throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
-        const std::vector<unsigned char> bytes = read_file(path);
-        check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
-    } else {
-        loaded.asset = load_asset(library, path, hidden, clips, &loaded.first_clip);
-        if (levels == scenes::Lod::on) made = in_levels(library, path, hidden, clips);
-        if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
-    }
-    loaded.tmpl.reset(made);
+    if (!is_prepared(path)) loaded.asset = load_asset(library, path, hidden, clips, &loaded.first_clip);
+    loaded.tmpl = library.shared([&] { return template_of(library, loaded, path, hidden, clips, levels); });
     return loaded;
 }
 

@@ -1,14 +1,16 @@
 #include "samples/cli/frame_crew.h"
 
 #include <algorithm>
-#include <cstring>
-#include <ctime>
+#include <deque>
+#include <map>
 #include <optional>
 
+#include "samples/cli/frame_worker.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/processes/crew.h"
 #include "samples/processes/machine_share.h"
+#include "samples/processes/rank_team.h"
 #include "samples/processes/shared_pages.h"
 
 namespace cli
@@ -16,94 +18,47 @@ namespace cli
 namespace
 {
 
-double cpu_ms()
-{
-    timespec now = {};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
+constexpr uint32_t rank_depth = 2;  // RankTeam::depth()
 
 // What the processes share: in a job of a scheduler its cores alone.
 int shared_cores() { return is_scheduled() ? processes::scheduled_cores() : core_count(); }
-
-// A PNG may be a little larger than its pixels.
-size_t frame_capacity(const RenderArguments &a)
-{
-    const size_t pixels = (3 * static_cast<size_t>(a.setup.width) + 1) * static_cast<size_t>(a.setup.height);
-    return pixels + pixels / 64 + 65536;
-}
-
-size_t picture_bytes(const RenderArguments &a)
-{
-    return 3 * static_cast<size_t>(a.setup.width) * static_cast<size_t>(a.setup.height);
-}
-
-Frame frame_of(const Json &task) { return {task["number"], task["time_s"], task["bare"].get<bool>() ? "-" : ""}; }
 
 Json task_of(const char *kind, const Frame &frame)
 {
     return {{"task", kind}, {"number", frame.number}, {"time_s", frame.time_s}, {"bare", frame.path == "-"}};
 }
 
-// A worker of a crew: it draws into memory that the coordinator reads.
-class FrameWorker
+// Frames: one place for each task that a worker may have. Tiles: two pictures in turn.
+size_t place_count(const RenderArguments &a, uint32_t workers, uint32_t depth)
 {
-public:
-    FrameWorker(const RenderArguments &a, int threads, uint8_t *pages, size_t capacity)
-        : drawer_(a, threads), pages_(pages), capacity_(capacity)
-    {
-    }
+    return division_of(a) == Division::frames ? size_t(workers) * depth : 2;
+}
 
-    Json answer(const Json &task)
-    {
-        if (task["task"] == "frame") return draw_frame(frame_of(task));
-        if (task["task"] == "tile") return draw_tile(task);
-        const Subject &subject = drawer_.subject();
-        return {{"count", subject.count}, {"context", subject.context}, {"warnings", drawer_.warnings()}};
-    }
+// What pixels depend on must be one and the same, as in the jobs of a film (docs/films.md).
+void expect_same_pixels(std::optional<Json> &first, const Json &now, uint32_t worker)
+{
+    if (!first) first = now;
+    for (const auto &[key, value] : first->items())
+        if (now[key] != value)
+            throw scenes::Failure("rank " + std::to_string(worker) + " would draw other pixels: its " + key + " is " +
+                                  now[key].dump() + ", another one's is " + value.dump() +
+                                  (key == "processor" ? "; --portable makes processors alike" : ""));
+}
 
-private:
-    Json draw_frame(const Frame &frame)
-    {
-        Json report;
-        const std::vector<uint8_t> &rgb = drawer_.draw(frame, report);
-        drawer_.add_hashes(rgb, report);
-        const std::vector<unsigned char> file = frame_bytes(frame, rgb.data(), drawer_.options(), drawer_.subject());
-        if (file.size() > capacity_) throw scenes::Failure("a picture takes more memory than processes share");
-        std::copy(file.begin(), file.end(), pages_);
-        return {{"report", report}, {"bytes", file.size()}};
-    }
-
-    Json draw_tile(const Json &task)
-    {
-        const processes::Tile tile = {task["x0"], task["x1"]};
-        drawer_.subject();
-        const double begun_ms = cpu_ms();
-        Json report;
-        const std::vector<uint8_t> &rgb = drawer_.draw(frame_of(task), tile, report);
-        const double spent_ms = cpu_ms() - begun_ms;
-        const size_t width = static_cast<size_t>(drawer_.options().width),
-                     own = 3 * static_cast<size_t>(tile.x1 - tile.x0);
-        uint8_t *out = pages_ + task["at"].get<size_t>() + 3 * static_cast<size_t>(tile.x0);
-        for (size_t y = 0; own * y < rgb.size(); ++y) std::memcpy(out + 3 * width * y, rgb.data() + own * y, own);
-        return {{"x_px", tile.x0},
-                {"width_px", tile.x1 - tile.x0},
-                {"cpu_ms", spent_ms},
-                {"update_ms", report["update_ms"]},
-                {"environment_ms", report["environment_ms"]},
-                {"draw_ms", report["draw_ms"]},
-                {"drawn", report["drawn"]}};
-    }
-
-    FrameDrawer drawer_;
-    uint8_t *pages_;
-    size_t capacity_;
-};
+// The worker of a rank, with the cores of its machine shared among the ranks on it.
+processes::Answering rank_answering(const RenderArguments &a, processes::Ranks &ranks, uint8_t *pages)
+{
+    processes::share_mesa_threads(ranks.count_here(), core_count());
+    const int threads = a.setup.threads > 0 ? a.setup.threads : std::max(1, core_count() / ranks.count_here());
+    const auto made = std::make_shared<FrameWorker>(a, threads, pages, &ranks);
+    return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+}
 
 }  // namespace
 
 int process_count(const RenderArguments &a)
 {
+    if (processes::ranks_started() > 1) return processes::ranks_started();
     return a.processes > 0 ? a.processes : is_scheduled() ? processes::scheduled_cores() : 1;
 }
 
@@ -114,31 +69,27 @@ int threads_each(const RenderArguments &a)
     return std::max(1, shared_cores() / count);
 }
 
-Division division_of(const RenderArguments &a)
-{
-    if (a.divide.empty()) return a.frames.empty() ? Division::tiles : Division::frames;
-    return a.divide == "tiles" ? Division::tiles : Division::frames;
-}
-
 struct FrameCrew::State {
-    State(const RenderArguments &a, uint32_t count)
+    explicit State(const RenderArguments &a)
         : arguments(a),
-          division(division_of(a)),
-          stride(division == Division::frames ? frame_capacity(a) : picture_bytes(a)),
-          pages(stride * (division == Division::frames ? count : 2)),
-          crew_size(count),
-          threads(threads_each(a)),
-          borders(a.setup.width, static_cast<int>(count)),
-          crew(count, [this](uint32_t worker) { return start(worker); })
+          stride(place_bytes(a)),
+          pages(stride * place_count(a, static_cast<uint32_t>(process_count(a)), 1)),
+          borders(a.setup.width, process_count(a))
     {
+        const uint32_t count = static_cast<uint32_t>(process_count(a));
+        team = std::make_unique<processes::Crew>(count, [this, count](uint32_t) {
+            processes::share_mesa_threads(static_cast<int>(count), shared_cores());
+            const auto made = std::make_shared<FrameWorker>(arguments, threads_each(arguments), pages.data());
+            return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+        });
     }
-
-    processes::Crew::Answering start(uint32_t worker)
+    State(const RenderArguments &a, processes::Ranks &ranks)
+        : arguments(a),
+          stride(place_bytes(a)),
+          pages(stride * place_count(a, static_cast<uint32_t>(ranks.count()), rank_depth)),
+          borders(a.setup.width, ranks.count()),
+          team(std::make_unique<processes::RankTeam>(ranks, rank_answering(a, ranks, pages.data()), pages.data()))
     {
-        processes::share_mesa_threads(static_cast<int>(crew_size), shared_cores());
-        uint8_t *own = pages.data() + (division == Division::frames ? stride * worker : 0);
-        const auto made = std::make_shared<FrameWorker>(arguments, threads, own, stride);
-        return [made](const std::string &task) { return made->answer(Json::parse(task)).dump(); };
     }
 
     void draw_frames(const std::vector<Frame> &frames, const Done &done);
@@ -146,20 +97,23 @@ struct FrameCrew::State {
     Json finish_tiles(const std::vector<Frame> &frames, size_t index);
 
     const RenderArguments &arguments;
-    Division division;
-    size_t stride;  // bytes of a worker's share of the pages, or of a picture
+    size_t stride;  // bytes of a place in the pages
     processes::SharedPages pages;
-    uint32_t crew_size;
-    int threads;
     std::optional<Subject> subject;
     std::vector<std::string> warnings;
     processes::TileBorders borders;
-    processes::Crew crew;
+    std::unique_ptr<processes::Team> team;
 };
 
-FrameCrew::FrameCrew(const RenderArguments &arguments)
-    : state_(std::make_unique<State>(arguments, static_cast<uint32_t>(process_count(arguments))))
+FrameCrew::FrameCrew(const RenderArguments &arguments, processes::Ranks *ranks)
+    : state_(ranks ? std::make_unique<State>(arguments, *ranks) : std::make_unique<State>(arguments))
 {
+}
+
+void FrameCrew::serve(const RenderArguments &a, processes::Ranks &ranks)
+{
+    std::vector<uint8_t> pages(place_bytes(a) * place_count(a, static_cast<uint32_t>(ranks.count()), rank_depth));
+    processes::serve(ranks, rank_answering(a, ranks, pages.data()), pages.data());
 }
 
 FrameCrew::~FrameCrew() = default;
@@ -168,9 +122,12 @@ const Subject &FrameCrew::subject()
 {
     State &s = *state_;
     if (s.subject) return *s.subject;
-    for (uint32_t i = 0; i < s.crew.size(); ++i) s.crew.send(i, R"({"task":"subject"})");
-    for (uint32_t i = 0; i < s.crew.size(); ++i) {
-        const Json told = Json::parse(s.crew.wait().text);
+    for (uint32_t i = 0; i < s.team->size(); ++i) s.team->send(i, R"({"task":"subject"})");
+    std::optional<Json> first;
+    for (uint32_t i = 0; i < s.team->size(); ++i) {
+        const processes::Team::Answer answer = s.team->wait();
+        const Json told = Json::parse(answer.text);
+        if (told.contains("provenance")) expect_same_pixels(first, told["provenance"], answer.worker);
         s.subject = Subject{told["count"], told["context"]};
         s.warnings = told["warnings"].get<std::vector<std::string>>();
     }
@@ -180,45 +137,49 @@ const Subject &FrameCrew::subject()
 void FrameCrew::draw(const std::vector<Frame> &frames, const Done &done)
 {
     if (frames.empty()) return;
-    if (state_->division == Division::frames) return state_->draw_frames(frames, done);
+    if (division_of(state_->arguments) == Division::frames) return state_->draw_frames(frames, done);
     subject();
     state_->draw_tiles(frames, done);
 }
 
-// Each process draws the next frame that none has. Frames for standard output wait in their worker's memory until
-// those before them are written.
+// Each worker draws the next frame that none has. Frames for standard output wait in their places until those before
+// them are written.
 void FrameCrew::State::draw_frames(const std::vector<Frame> &frames, const Done &done)
 {
+    struct Given {
+        size_t index, at;
+    };
     struct Held {
-        size_t index;
+        uint32_t worker;
+        size_t at;
         Json answer;
     };
-    std::vector<std::optional<Held>> held(crew.size());
-    std::vector<size_t> drawing(crew.size());
+    std::vector<std::deque<Given>> given(team->size());
+    std::map<size_t, Held> held;  // by frame
     size_t next = 0, written = 0;
-    const auto give = [&](uint32_t worker) {
+    const auto give = [&](uint32_t worker, size_t at) {
         if (next == frames.size()) return;
-        drawing[worker] = next;
-        crew.send(worker, task_of("frame", frames[next]).dump());
-        ++next;
+        Json task = task_of("frame", frames[next]);
+        task["at"] = at;
+        given[worker].push_back({next++, at});
+        team->send(worker, task.dump());
     };
+    for (uint32_t slot = 0; slot < team->depth(); ++slot)
+        for (uint32_t i = 0; i < team->size(); ++i) give(i, stride * (size_t(slot) * team->size() + i));
     const bool in_order = frames[0].path == "-";
-    for (uint32_t i = 0; i < crew.size(); ++i) give(i);
     while (written < frames.size()) {
-        const processes::Crew::Answer answer = crew.wait();
-        held[answer.worker] = Held{drawing[answer.worker], Json::parse(answer.text)};
-        for (uint32_t i = 0; i < crew.size();) {
-            if (!held[i] || (in_order && held[i]->index != written)) {
-                ++i;
-                continue;
-            }
-            const Held one = *std::exchange(held[i], {});
-            Json report = frame_report(frames[one.index]);
-            report.update(one.answer["report"]);
-            done(one.index, report, pages.data() + stride * i, one.answer["bytes"]);
+        const processes::Team::Answer answer = team->wait();
+        const Given one = given[answer.worker].front();
+        given[answer.worker].pop_front();
+        held[one.index] = {answer.worker, one.at, Json::parse(answer.text)};
+        while (!held.empty() && (!in_order || held.begin()->first == written)) {
+            const auto [index, frame] = *held.begin();
+            Json report = frame_report(frames[index]);
+            report.update(frame.answer["report"]);
+            done(index, report, pages.data() + frame.at, frame.answer["bytes"]);
             ++written;
-            give(i);
-            i = 0;  // the one after it may wait already
+            held.erase(held.begin());
+            give(frame.worker, frame.at);
         }
     }
 }
@@ -235,7 +196,7 @@ void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &
             Json task = task_of("tile", frames[index]);
             task["x0"] = borders.tiles()[i].x0, task["x1"] = borders.tiles()[i].x1;
             task["at"] = index % 2 * stride;
-            crew.send(i, task.dump());
+            team->send(i, task.dump());
         }
     };
     give(0);
@@ -256,7 +217,7 @@ Json FrameCrew::State::finish_tiles(const std::vector<Frame> &frames, size_t ind
     std::vector<Json> tiles(borders.tiles().size());
     std::vector<double> costs(tiles.size());
     for (size_t i = 0; i < tiles.size(); ++i) {
-        const processes::Crew::Answer answer = crew.wait();
+        const processes::Team::Answer answer = team->wait();
         tiles[answer.worker] = Json::parse(answer.text);
         costs[answer.worker] = tiles[answer.worker]["cpu_ms"];
     }
@@ -266,7 +227,7 @@ Json FrameCrew::State::finish_tiles(const std::vector<Frame> &frames, size_t ind
     return report;
 }
 
-uint32_t FrameCrew::replaced() const { return state_->crew.replaced(); }
+uint32_t FrameCrew::replaced() const { return state_->team->replaced(); }
 
 const std::vector<std::string> &FrameCrew::warnings() const { return state_->warnings; }
 

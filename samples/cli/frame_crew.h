@@ -1,23 +1,22 @@
-// Frames of a film by several processes: whole frames in turn, or each frame in tiles.
+// Frames of a film by several processes of this machine, or by the ranks of an MPI job: whole frames in turn, or each
+// frame in tiles.
 #pragma once
 
 #include <functional>
 #include <memory>
 
 #include "samples/cli/frame_drawer.h"
+#include "samples/processes/ranks.h"
 
 namespace cli
 {
 
-// How processes share the work: frames take the least time together, tiles take the least time for each frame.
-enum class Division { frames, tiles };
-
 class FrameCrew
 {
 public:
-    // Starts the processes. To be made where no thread and no GL context is; `arguments` must live as long as this.
-    // Throws std::runtime_error, as the next calls do.
-    explicit FrameCrew(const RenderArguments &arguments);
+    // Starts the processes, or has the ranks of a job (rank 0 calls it). To be made where no thread and no GL context
+    // is; `arguments` must live as long as this. Throws std::runtime_error, as the next calls do.
+    explicit FrameCrew(const RenderArguments &arguments, processes::Ranks *ranks = nullptr);
     ~FrameCrew();
 
     const Subject &subject();
@@ -29,6 +28,9 @@ public:
     uint32_t replaced() const;  // processes that ended and were replaced
     const std::vector<std::string> &warnings() const;
 
+    // What the other ranks do: draws until rank 0 has all frames.
+    static void serve(const RenderArguments &arguments, processes::Ranks &ranks);
+
 private:
     struct State;
     std::unique_ptr<State> state_;
@@ -37,6 +39,5 @@ private:
 // The number of processes that the arguments ask for, and of the threads of each.
 int process_count(const RenderArguments &arguments);
 int threads_each(const RenderArguments &arguments);
-Division division_of(const RenderArguments &arguments);
 
 }  // namespace cli

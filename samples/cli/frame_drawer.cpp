@@ -8,9 +8,10 @@
 namespace cli
 {
 
-FrameDrawer::FrameDrawer(const RenderArguments &a, int threads)
+FrameDrawer::FrameDrawer(const RenderArguments &a, int threads, processes::Ranks *ranks)
     : arguments_(a), library_(threads), options_(scene_options(a.setup, loaded_))
 {
+    if (ranks) library_.share_templates(ranks->rank() == 0, [ranks](std::string &bytes) { ranks->broadcast(bytes); });
 }
 
 const Subject &FrameDrawer::subject()

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "samples/cli/film_frames.h"
+#include "samples/processes/ranks.h"
 #include "samples/processes/tile_borders.h"
 
 namespace cli
@@ -18,8 +19,8 @@ struct Subject {
 class FrameDrawer
 {
 public:
-    // `arguments` must live as long as this.
-    FrameDrawer(const RenderArguments &arguments, int threads);
+    // `arguments` must live as long as this. `ranks`: those of the job, which share their templates; or null.
+    FrameDrawer(const RenderArguments &arguments, int threads, processes::Ranks *ranks = nullptr);
 
     // Makes the scene, if it is not made yet. Throws scenes::Failure, as the next calls do.
     const Subject &subject();

@@ -48,13 +48,14 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options)
 class Rendering
 {
 public:
-    explicit Rendering(const RenderArguments &a) : a_(a)
+    Rendering(const RenderArguments &a, processes::Ranks *ranks) : a_(a)
     {
-        if (process_count(a) > 1) crew_.emplace(a);
+        if (ranks || process_count(a) > 1) crew_.emplace(a, ranks);
         else drawer_.emplace(a, threads_each(a));
         LoadedCharacter none;
         options_ = scene_options(a.setup, none);
         report_ = about(a, options_);
+        if (ranks) report_["ranks"] = ranks->count();
     }
 
     void run();
@@ -166,7 +167,15 @@ void render(const RenderArguments &a)
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
     if (!a.manifest.empty()) expect_writable(a.manifest);
-    Rendering(a).run();
+    const std::unique_ptr<processes::Ranks> ranks = processes::join_ranks();
+    if (!ranks) return Rendering(a, nullptr).run();
+    try {
+        if (ranks->rank() > 0) FrameCrew::serve(a, *ranks);
+        else Rendering(a, ranks.get()).run();
+    } catch (const std::exception &failure) {
+        ranks->fail(failure.what());
+    }
+    ranks->finish();
 }
 
 }  // namespace cli

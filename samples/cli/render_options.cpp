@@ -7,6 +7,7 @@
 #include "samples/cli/frame_crew.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
+#include "samples/processes/ranks.h"
 
 namespace cli
 {
@@ -18,6 +19,9 @@ void check_picture_usage(RenderArguments &a)
     if (a.portable) use_portable_drivers();
     if (a.divide == "frames" && a.frames.empty())
         throw CLI::ValidationError("--divide", "a single picture is divided into tiles");
+    if (processes::ranks_started() > 1 && a.processes > 0)
+        throw CLI::ValidationError("--processes", "mpirun started " + std::to_string(processes::ranks_started()) +
+                                                      " ranks, which share the work");
     // Each process would choose the nearest people of its own tile.
     if (process_count(a) > 1 && a.setup.close_mib > 0 &&
         (a.divide == "tiles" || (a.divide.empty() && a.frames.empty())))
@@ -44,7 +48,8 @@ void check_picture_usage(RenderArguments &a)
     if (!(a.fps > 0 && a.fps <= 1e6)) throw CLI::ValidationError("--fps", "must be above 0");
     if (a.out == "-" && a.json == "-")
         throw CLI::ValidationError("--json", "standard output is used by the pictures already");
-    if (a.out == "-" && isatty(STDOUT_FILENO) == 1)
+    // mpirun gives its ranks terminals of its own, and passes on what they write as it is.
+    if (a.out == "-" && isatty(STDOUT_FILENO) == 1 && processes::ranks_started() == 1)
         throw CLI::ValidationError("--out", "raw pixels cannot go to a terminal; send them to a file or an encoder");
 }
 

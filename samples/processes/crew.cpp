@@ -96,7 +96,7 @@ void Crew::work(uint32_t worker, Channel channel)
         std::string reply;
         try {
             if (!answering) answering = start_(worker);
-            reply = "+" + answering(task);
+            reply = "+" + answering(task).text;
         } catch (const std::exception &failure) {
             reply = std::string("-") + failure.what();
         } catch (...) {
@@ -130,7 +130,7 @@ void Crew::send(uint32_t worker, const std::string &task)
     while (!one.channel.send(task)) replace(worker);
 }
 
-Crew::Answer Crew::wait()
+Team::Answer Crew::wait()
 {
     for (;;) {
         std::vector<pollfd> asked;

@@ -4,45 +4,38 @@
 // made them ends, in any way, its workers end too.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <string>
 #include <sys/types.h>
 #include <vector>
 
 #include "samples/processes/channel.h"
+#include "samples/processes/team.h"
 
 namespace processes
 {
 
-class Crew
+class Crew : public Team
 {
 public:
-    // Runs in the worker. What it throws ends the crew's work: wait() throws it as std::runtime_error.
-    using Answering = std::function<std::string(const std::string &task)>;
-    // Runs in the worker before its first task: a worker that replaces another one has nothing of that one.
+    // Runs in the worker before its first task: a worker that replaces another one has nothing of that one. What the
+    // worker throws ends the crew's work: wait() throws it as std::runtime_error.
     using Start = std::function<Answering(uint32_t worker)>;
 
     // Starts the workers. To be made where no other thread runs. Throws std::runtime_error.
     Crew(uint32_t count, Start start);
-    ~Crew();  // ends all of them at once
+    ~Crew() override;  // ends all of them at once
     Crew(const Crew &) = delete;
     Crew &operator=(const Crew &) = delete;
 
-    uint32_t size() const { return static_cast<uint32_t>(workers_.size()); }
-    // Gives a worker a task; it must have none. A task may be done more than once, as a worker may end at any moment.
-    void send(uint32_t worker, const std::string &task);
+    uint32_t size() const override { return static_cast<uint32_t>(workers_.size()); }
+    uint32_t depth() const override { return 1; }
+    // A task may be done more than once, as a worker may end at any moment.
+    void send(uint32_t worker, const std::string &task) override;
     bool is_busy(uint32_t worker) const { return workers_[worker].busy; }
 
-    struct Answer {
-        uint32_t worker;
-        std::string text;
-    };
-    // Waits for the next answer; some worker must be busy. Throws std::runtime_error: what a worker threw, or that
-    // workers keep ending.
-    Answer wait();
+    // Throws what a worker threw, or that workers keep ending.
+    Answer wait() override;
 
-    uint32_t replaced() const { return replaced_; }
+    uint32_t replaced() const override { return replaced_; }
 
 private:
     struct Worker {

@@ -16,6 +16,12 @@ Own<clq_template> prepared(clq_context *context, const clq_prepare_def &def)
     return Own<clq_template>(made);
 }
 
+int append(void *user, const void *bytes, size_t size)
+{
+    static_cast<std::string *>(user)->append(static_cast<const char *>(bytes), size);
+    return 0;
+}
+
 }  // namespace
 
 bool is_builtin(const std::string &name)
@@ -43,8 +49,28 @@ Library::Library(int threads) : tasks_(threads)
 clq_template *Library::own(const std::string &name, const std::function<Own<clq_template>()> &make)
 {
     Own<clq_template> &found = templates_[name];
-    if (!found) found = make();
+    if (!found) found = shared(make);
     return found.get();
+}
+
+void Library::share_templates(bool makes, Exchange exchange)
+{
+    makes_ = makes;
+    exchange_ = std::move(exchange);
+}
+
+Own<clq_template> Library::shared(const std::function<Own<clq_template>()> &make)
+{
+    if (!exchange_) return make();
+    Own<clq_template> made;
+    if (makes_) made = make();
+    std::string bytes;
+    if (made) check(clq_template_save(made.get(), append, &bytes), "a template for other processes");
+    exchange_(bytes);
+    if (makes_) return made;
+    clq_template *loaded = nullptr;
+    check(clq_template_load(context(), bytes.data(), bytes.size(), &loaded), "a template of another process");
+    return Own<clq_template>(loaded);
 }
 
 clq_template *Library::builtin(const std::string &name)

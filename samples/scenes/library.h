@@ -32,7 +32,14 @@ public:
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
     // A character of the caller's own: `make` is called at the first request of the name.
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
+    // Makes a template, or takes the one that another process made (share_templates).
+    Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;
+
+    // For processes that make the same templates in the same order. From now on `exchange` sees the bytes of each as
+    // clq_template_save writes them: those that this process made if it `makes` them, else none, to be filled in.
+    using Exchange = std::function<void(std::string &bytes)>;
+    void share_templates(bool makes, Exchange exchange);
 
 private:
     mutable std::mutex mutex_;
@@ -40,6 +47,8 @@ private:
     TbbTasks tasks_;
     Own<clq_context> context_;
     std::map<std::string, Own<clq_template>> templates_;
+    bool makes_ = true;
+    Exchange exchange_;  // or none
 };
 
 }  // namespace scenes

@@ -41,10 +41,17 @@ std::string file_text(const std::string &path)
 
 Outcome claque(const std::vector<std::string> &arguments, const char *device)
 {
+    std::vector<std::string> words = {CLAQUE_COMMAND};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return run_program(words, device);
+}
+
+Outcome run_program(std::vector<std::string> words, const char *device)
+{
     const fs::path folder = new_folder();
     const std::string out = folder / "out", err = folder / "err";
-    std::vector<char *> argv = {const_cast<char *>(CLAQUE_COMMAND)};
-    for (const std::string &argument : arguments) argv.push_back(const_cast<char *>(argument.c_str()));
+    std::vector<char *> argv;
+    for (std::string &word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
 
     posix_spawn_file_actions_t actions;
@@ -59,7 +66,7 @@ Outcome claque(const std::vector<std::string> &arguments, const char *device)
     pid_t child = 0;
     Outcome outcome;
     int state = 0;
-    if (posix_spawn(&child, CLAQUE_COMMAND, &actions, nullptr, argv.data(), environ) == 0 &&
+    if (posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ) == 0 &&
         waitpid(child, &state, 0) == child && WIFEXITED(state))
         outcome.code = WEXITSTATUS(state);
     posix_spawn_file_actions_destroy(&actions);

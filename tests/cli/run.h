@@ -17,6 +17,8 @@ struct Outcome {
 
 // `device`: takes its standard output, which Outcome then has nothing of.
 Outcome claque(const std::vector<std::string> &arguments, const char *device = nullptr);
+// Another program, found by PATH, with its arguments.
+Outcome run_program(std::vector<std::string> words, const char *device = nullptr);
 
 std::string file_text(const std::string &path);
 

@@ -43,7 +43,7 @@ TEST(Crew, IsNotStartedBesideThreads)
     std::thread other([&] {
         while (!ends) std::this_thread::yield();
     });
-    const auto start = [](uint32_t) -> processes::Crew::Answering { return [](const std::string &) { return ""; }; };
+    const auto start = [](uint32_t) -> processes::Answering { return [](const std::string &) { return ""; }; };
     EXPECT_THROW(processes::Crew(1, start), std::runtime_error);
     ends = true;
     other.join();
@@ -51,7 +51,7 @@ TEST(Crew, IsNotStartedBesideThreads)
 
 TEST(Crew, ThrowsWhatAWorkerThrows)
 {
-    const auto start = [](uint32_t worker) -> processes::Crew::Answering {
+    const auto start = [](uint32_t worker) -> processes::Answering {
         return [worker](const std::string &task) -> std::string {
             if (task == "fail") throw std::runtime_error("worker " + std::to_string(worker) + " has a reason");
             return task + task;

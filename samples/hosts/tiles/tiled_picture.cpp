@@ -40,7 +40,7 @@ TiledPicture::TiledPicture(int width, int height, int processes)
 }
 
 // Runs in a worker. A task is a tile and a time; the answer is the processor time that it took.
-processes::Crew::Answering TiledPicture::start() const
+processes::Answering TiledPicture::start() const
 {
     const auto worker = std::make_shared<Worker>();
     return [this, worker](const std::string &task) {

@@ -21,7 +21,7 @@ public:
     const std::vector<processes::Tile> &tiles() const { return drawn_; }
 
 private:
-    processes::Crew::Answering start() const;
+    processes::Answering start() const;
 
     int width_, height_;
     processes::SharedPages pixels_;

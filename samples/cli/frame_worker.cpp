@@ -1,0 +1,89 @@
+#include "samples/cli/frame_worker.h"
+
+#include <cstring>
+#include <ctime>
+
+#include "samples/cli/provenance.h"
+
+namespace cli
+{
+namespace
+{
+
+double cpu_ms()
+{
+    timespec now = {};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+Frame frame_of(const Json &task) { return {task["number"], task["time_s"], task["bare"].get<bool>() ? "-" : ""}; }
+
+}  // namespace
+
+Division division_of(const RenderArguments &a)
+{
+    if (a.divide.empty()) return a.frames.empty() ? Division::tiles : Division::frames;
+    return a.divide == "tiles" ? Division::tiles : Division::frames;
+}
+
+// A PNG may be a little larger than its pixels.
+size_t place_bytes(const RenderArguments &a)
+{
+    const size_t width = static_cast<size_t>(a.setup.width), height = static_cast<size_t>(a.setup.height);
+    if (division_of(a) == Division::tiles) return 3 * width * height;
+    const size_t pixels = (3 * width + 1) * height;
+    return pixels + pixels / 64 + 65536;
+}
+
+FrameWorker::FrameWorker(const RenderArguments &a, int threads, uint8_t *pages, processes::Ranks *ranks)
+    : drawer_(a, threads, ranks), pages_(pages), place_bytes_(place_bytes(a)), is_rank_(ranks != nullptr)
+{
+}
+
+processes::Reply FrameWorker::answer(const Json &task)
+{
+    if (task["task"] == "frame") return draw_frame(frame_of(task), task["at"]);
+    if (task["task"] == "tile") return draw_tile(task);
+    const Subject &subject = drawer_.subject();
+    Json told = {{"count", subject.count}, {"context", subject.context}, {"warnings", drawer_.warnings()}};
+    if (is_rank_) told["provenance"] = provenance(subject.context);
+    return told.dump();
+}
+
+processes::Reply FrameWorker::draw_frame(const Frame &frame, size_t at)
+{
+    Json report;
+    const std::vector<uint8_t> &rgb = drawer_.draw(frame, report);
+    drawer_.add_hashes(rgb, report);
+    const std::vector<unsigned char> file = frame_bytes(frame, rgb.data(), drawer_.options(), drawer_.subject());
+    if (file.size() > place_bytes_) throw scenes::Failure("a picture takes more memory than processes share");
+    std::copy(file.begin(), file.end(), pages_ + at);
+    return {Json{{"report", report}, {"bytes", file.size()}}.dump(), {at, file.size(), 1, 0}};
+}
+
+processes::Reply FrameWorker::draw_tile(const Json &task)
+{
+    const processes::Tile tile = {task["x0"], task["x1"]};
+    drawer_.subject();
+    const double begun_ms = cpu_ms();
+    Json report;
+    const std::vector<uint8_t> &rgb = drawer_.draw(frame_of(task), tile, report);
+    const double spent_ms = cpu_ms() - begun_ms;
+    const size_t width = static_cast<size_t>(drawer_.options().width), own = 3 * static_cast<size_t>(tile.x1 - tile.x0);
+    const processes::Pixels place = {task["at"].get<size_t>() + 3 * static_cast<size_t>(tile.x0), own, rgb.size() / own,
+                                     3 * width};
+    for (size_t y = 0; y < place.rows; ++y)
+        std::memcpy(pages_ + place.at + place.stride * y, rgb.data() + own * y, own);
+    return {Json{{"x_px", tile.x0},
+                 {"width_px", tile.x1 - tile.x0},
+                 {"cpu_ms", spent_ms},
+                 {"update_ms", report["update_ms"]},
+                 {"environment_ms", report["environment_ms"]},
+                 {"draw_ms", report["draw_ms"]},
+                 {"drawn", report["drawn"]}}
+                .dump(),
+            place};
+}
+
+}  // namespace cli

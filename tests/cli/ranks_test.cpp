@@ -1,0 +1,118 @@
+// Pictures by the ranks of an MPI job: the same as one process draws; a rank that fails ends the job and is named.
+#include <cstdlib>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+class Ranks : public Drawing
+{
+protected:
+    void SetUp() override
+    {
+        Drawing::SetUp();
+        if (IsSkipped()) return;
+        if (std::system("command -v mpirun > /dev/null") != 0) GTEST_SKIP() << "there is no mpirun (openmpi-bin)";
+        if (!fs::exists(fs::path(CLAQUE_COMMAND).parent_path() / "claque-mpi.so"))
+            GTEST_SKIP() << "this build has no claque-mpi.so (libopenmpi-dev)";
+        for (const auto &[name, value] :
+             {std::pair("OMPI_ALLOW_RUN_AS_ROOT", "1"), std::pair("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"),
+              std::pair("OMPI_MCA_rmaps_base_oversubscribe", "1"), std::pair("OMPI_MCA_btl", "self,vader"),
+              std::pair("OMPI_MCA_plm_rsh_agent", "/bin/false")})
+            setenv(name, value, 1);
+    }
+    Outcome mpirun(int ranks, const Words &words)
+    {
+        Words all = {"mpirun", "-n", std::to_string(ranks), CLAQUE_COMMAND};
+        all.insert(all.end(), words.begin(), words.end());
+        return run_program(all);
+    }
+    Words film_words(const std::string &name, const Words &scene) const
+    {
+        fs::create_directories(path(name));
+        Words words = {"render",   "--size",  "160x120",
+                       "--frames", "0:30/10", "--threads",
+                       "1",        "--out",   path(name) + "/f-%02d.png"};
+        words.insert(words.end(), scene.begin(), scene.end());
+        return words;
+    }
+    std::string pixels(const std::string &name) const
+    {
+        std::string all;
+        for (const char *frame : {"00", "10", "20", "30"}) all += file_text(path(name) + "/f-" + frame + ".png");
+        return all;
+    }
+};
+
+TEST_F(Ranks, DrawTheFilmThatOneProcessDraws)
+{
+    const std::string scenarios = std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/";
+    const Words scenes[] = {{"--scene", "plaza", "--count", "60", "--lod", "on", "--shadows", "mesh"},
+                            {"--scene", "odeon", "--count", "100"},
+                            {"--scene", "vehicle", "--count", "60"},
+                            {"--scenario", scenarios + "corridor.toml"}};
+    for (const Words &scene : scenes) {
+        ASSERT_EQ(claque(film_words("one", scene)).code, 0);
+        const std::string one = pixels("one");
+        ASSERT_FALSE(one.empty());
+        for (const int ranks : {1, 2, 4})
+            for (const char *divide : {"frames", "tiles"}) {
+                Words words = film_words("ranks", scene);
+                words.insert(words.end(), {"--divide", divide});
+                const Outcome done = mpirun(ranks, words);
+                EXPECT_EQ(done.code, 0) << done.err;
+                EXPECT_TRUE(pixels("ranks") == one) << scene[1] << ", " << ranks << " ranks, " << divide;
+                fs::remove_all(path("ranks"));
+            }
+        fs::remove_all(path("one"));
+    }
+}
+
+TEST_F(Ranks, PassOnRawPixelsInTheirOrder)
+{
+    const Words words = {"render", "--scene", "plaza", "--count", "20",       "--size", "96x64",
+                         "--out",  "-",       "--fps", "5",       "--frames", "0:9"};
+    const Outcome one = claque(words);
+    ASSERT_EQ(one.out.size(), 10u * 96 * 64 * 3);
+    EXPECT_TRUE(mpirun(3, words).out == one.out);
+}
+
+TEST_F(Ranks, ThatFailAreNamedAndEndTheJob)
+{
+    const Outcome missing = mpirun(3, {"render", path("none.glb"), "--out", path("a.png")});
+    EXPECT_NE(missing.code, 0);
+    EXPECT_NE(missing.err.find("of 3, on "), std::string::npos) << missing.err;
+    EXPECT_NE(missing.err.find("none.glb"), std::string::npos) << missing.err;
+    const Outcome both = mpirun(2, {"render", "--scene", "plaza", "--processes", "2", "--out", path("a.png")});
+    EXPECT_NE(both.code, 0);
+    EXPECT_NE(both.err.find("mpirun started 2 ranks"), std::string::npos) << both.err;
+    EXPECT_TRUE(left().empty());
+}
+
+// A job that is started again draws what is missing.
+TEST_F(Ranks, GoOnWhereAJobStopped)
+{
+    const Words scene = {"--scene", "plaza", "--count", "20", "--manifest", path("ranks.json")};
+    ASSERT_EQ(mpirun(2, film_words("film", scene)).code, 0);
+    const std::string whole = pixels("film");
+    fs::remove(path("film") + "/f-10.png");
+    fs::remove(path("film") + "/f-30.png");
+    Words again = film_words("film", scene);
+    again.insert(again.end(), {"--json", path("again.json")});
+    ASSERT_EQ(mpirun(3, again).code, 0);
+    EXPECT_TRUE(pixels("film") == whole);
+    const nlohmann::json report = nlohmann::json::parse(file_text(path("again.json")));
+    EXPECT_EQ(report["frames"].size(), 2u);
+    EXPECT_EQ(report["skipped"], nlohmann::json({0, 20}));
+}
+
+}  // namespace
+}  // namespace cli_test
