@@ -18,6 +18,8 @@ constexpr unsigned front_and_back = 0x408, cull_face = 0xB44, lighting = 0xB50, 
 constexpr unsigned depth_test = 0xB71, normalize = 0xBA1, blend = 0xBE2, texture_2d = 0xDE1, light0 = 0x4000;
 constexpr unsigned light_model_ambient = 0xB53, ambient = 0x1200, diffuse = 0x1201, specular = 0x1202,
                    position = 0x1203;
+constexpr unsigned spot_direction = 0x1204, spot_exponent = 0x1205, spot_cutoff = 0x1206;
+constexpr unsigned constant_attenuation = 0x1207, linear_attenuation = 0x1208, quadratic_attenuation = 0x1209;
 constexpr unsigned ambient_and_diffuse = 0x1602, modelview = 0x1700, projection = 0x1701, rgba = 0x1908;
 constexpr unsigned modulate = 0x2100, texture_env = 0x2300, texture_env_mode = 0x2200;
 constexpr unsigned mag_filter = 0x2800, min_filter = 0x2801, wrap_s = 0x2802, wrap_t = 0x2803;
@@ -27,7 +29,7 @@ constexpr unsigned linear = 0x2601, linear_mipmap_nearest = 0x2701, linear_mipma
 constexpr unsigned unsigned_byte = 0x1401, unsigned_int = 0x1405, float_type = 0x1406, unpack_alignment = 0xCF5;
 constexpr unsigned vertex_array = 0x8074, normal_array = 0x8075, color_array = 0x8076, texcoord_array = 0x8078;
 constexpr unsigned version = 0x1F02, scissor_test = 0xC11;
-constexpr unsigned fog = 0xB60, fog_density = 0xB62, fog_mode = 0xB65, fog_color = 0xB66, exp = 0x800;
+constexpr unsigned fog = 0xB60, fog_density = 0xB62, fog_mode = 0xB65, fog_color = 0xB66, exp = 0x800, exp2 = 0x801;
 constexpr unsigned polygon_offset_fill = 0x8037;
 }  // namespace gl
 

@@ -58,7 +58,7 @@ void set_lights(const Gl &g, const Daylight &light, const Eye &eye)
     g.LoadMatrixf(eye.projection);
     g.MatrixMode(gl::modelview);
     g.LoadMatrixf(eye.view);
-    for (const unsigned off : {gl::texture_2d, gl::cull_face, gl::fog}) g.Disable(off);
+    for (const unsigned off : {gl::texture_2d, gl::cull_face, gl::fog, gl::light0 + 2, gl::light0 + 3}) g.Disable(off);
     g.Enable(gl::depth_test);
     g.DepthFunc(gl::lequal);
     g.Enable(gl::lighting);

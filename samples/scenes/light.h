@@ -22,8 +22,9 @@ clq_shadow_def shadows_in(const Daylight &light);
 // Does for a vertex what GL does with these lights and a texture of one colour: its colour becomes that of the picture.
 void shine(const Daylight &light, SceneryVertex &vertex, Rgb texel);
 
-// Switches lighting on with lights 0 and 1 and the depth test, and textures, fog and the culling of faces off, and sets
-// the state that claque inherits; afterwards the model-view matrix is the eye's view. Materials follow colours.
+// Switches lighting on with lights 0 and 1, and the depth test; lights 2 and 3, textures, fog and the culling of faces
+// off. Sets the state that claque inherits; afterwards the model-view matrix is the eye's view. Materials follow
+// colours.
 void set_lights(const Gl &gl, const Daylight &light, const Eye &eye);
 
 }  // namespace scenes

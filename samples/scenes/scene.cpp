@@ -20,6 +20,7 @@ const std::vector<SceneEntry> &scene_entries()
          make_town_sky, 2000, true},
         {"hundred_actors", "a hundred dragons over a lake, culled as Table 2 of S0 says", make_hundred_actors, 100,
          true},
+        {"everything", "figures that have what a renderer may meet: a test of other renderers", make_everything, 9},
     };
     return entries;
 }

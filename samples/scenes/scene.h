@@ -96,6 +96,7 @@ std::unique_ptr<Scene> make_ten_thousand(Library &library, const CrowdOptions &c
                                          const Character &character);
 std::unique_ptr<Scene> make_amphitheatre(Library &library, const CrowdOptions &crowd_options,
                                          const Character &character);
+std::unique_ptr<Scene> make_everything(Library &library, const CrowdOptions &crowd_options, const Character &character);
 std::unique_ptr<Scene> make_parade(Library &library, const CrowdOptions &crowd_options, const Character &character);
 
 }  // namespace scenes

@@ -25,7 +25,9 @@ int main(int argc, char **argv)
             std::cerr << "gpu_peer: no OpenGL context: " << why_not << "\n";
             return 77;
         }
-        parity_test::Peer peer(*context, scene);
+        parity_test::PeerOptions options;
+        options.limiting = parity_test::limiting_for(scene.lighting);
+        parity_test::Peer peer(*context, scene, options);
         parity_test::write_result(*context, peer, scene, argv[1], argv[2]);
         return 0;
     } catch (const std::exception &error) {

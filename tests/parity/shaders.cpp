@@ -45,6 +45,12 @@ double most_light(const Lighting &lighting)
     return most;
 }
 
+Limiting limiting_for(const Lighting &lighting)
+{
+    constexpr double most_for_knots = 1.3;
+    return most_light(lighting) > most_for_knots ? Limiting::zones : Limiting::knots;
+}
+
 namespace
 {
 

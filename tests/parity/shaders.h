@@ -42,4 +42,7 @@ std::string fragment_shader(const Variant &variant, const Lighting &lighting, co
 // The most light that any vertex can get in any channel.
 double most_light(const Lighting &lighting);
 
+// Knots where they lie closely enough, else zones.
+Limiting limiting_for(const Lighting &lighting);
+
 }  // namespace parity_test
