@@ -6,7 +6,7 @@ CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak \
-    bench golden-accept abi-accept install package test-package test-bare docs test-i386 test-arm64 test-mingw \
+    bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 test-arm64 test-mingw \
     test-nehalem test-machines test-webgl coverage check format clean
 
 help:
@@ -25,6 +25,7 @@ help:
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
 	@echo "make test-bare  make run and make test in a clone on a bare Debian 12, held to 3 and 15 minutes (needs root)"
+	@echo "make test-hosts claque in sumo-gui, osgviewer, Coin and VTK on a screen of its own; what is missing is named"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
 	@echo "make test-machines  all four, with one table at the end"
@@ -160,6 +161,10 @@ test-package: package
 # A clone on a bare Debian 12: both commands of the README, held to their times (two idle cores; needs root).
 test-bare:
 	@tests/bare_debian.sh clone
+
+# Programs and scenegraphs that claque knows nothing of; each is skipped by name where it is not installed.
+test-hosts: build
+	@tests/hosts/strangers.py $(BUILD) out/hosts
 
 # The reference of include/claque; a warning is an error.
 docs:

@@ -40,6 +40,7 @@ claque --version
 claque inspect citizen > /citizen.txt
 head -n 3 /citizen.txt
 ls /usr/share/applications/claque.desktop /usr/share/icons/hicolor/256x256/apps/claque.png
+[ ! -e /packages/osgdb-claque*.deb ] || dpkg -c /packages/osgdb-claque*.deb | grep /osgPlugins-
 install libosmesa6
 claque render --scene plaza --count 50 --size 320x240 --out /plaza.png
 ls -l /plaza.png

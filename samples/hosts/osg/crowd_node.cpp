@@ -5,6 +5,8 @@
 
 #include <osg/Drawable>
 
+#include "samples/hosts/osg/bindings.h"
+
 namespace osg_host
 {
 
@@ -21,13 +23,7 @@ public:
 
     void drawImplementation(osg::RenderInfo &info) const override
     {
-        // Resets the state that OSG leaves bound for its next drawable, with which claque refuses to draw.
-        osg::State &state = *info.getState();
-        state.disableAllVertexArrays();
-        state.unbindVertexBufferObject();
-        state.unbindElementBufferObject();
-        state.setActiveTextureUnit(0);
-        state.setClientActiveTextureUnit(0);
+        clear_bindings(*info.getState());
         if (clq_renderer_draw(renderer_, view_, &drawn) != CLQ_OK) failure = clq_last_error();
     }
 

@@ -72,14 +72,6 @@ void read_clips(TomlTable clips, SocialClass::Clips &out)
             "idles");
 }
 
-void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
-{
-    if (described.has("clips"))
-        read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
-    if (made.character.find_first_of("./") != std::string::npos)
-        made.character = file_of(described, "character", files);
-}
-
 // With [stage] a class is what it looks like: how many there are of it, and what they do, is said by [[agents]].
 void read_agents_class(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
 {
@@ -102,6 +94,22 @@ void read_walkers(TomlTable &described, const ScenarioFiles &files, SocialClass 
 
 }  // namespace
 
+void read_palette(TomlTable &described, SocialClass &made)
+{
+    if (!described.has("palette")) return;
+    for (auto &[zone, dye] : described.table("palette", "class '" + made.name + "'")
+                                 .named_tables("palette entry of class '" + made.name + "' for"))
+        made.palette.push_back({zone, range_of(dye)});
+}
+
+void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
+{
+    if (described.has("clips"))
+        read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
+    if (made.character.find_first_of("./") != std::string::npos)
+        made.character = file_of(described, "character", files);
+}
+
 void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 {
     const bool decide = all.has("stage") || all.has("people"), sit = !decide && all.has("theatre");
@@ -112,10 +120,7 @@ void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scena
         made.name = described.text("name");
         described.renamed("figure", "character");
         made.character = described.text("character");
-        if (described.has("palette"))
-            for (auto &[zone, dye] : described.table("palette", "class '" + made.name + "'")
-                                         .named_tables("palette entry of class '" + made.name + "' for"))
-                made.palette.push_back({zone, range_of(dye)});
+        read_palette(described, made);
         if (decide) read_agents_class(described, files, made);
         else if (sit) read_sitters(described, made);
         else read_walkers(described, files, made);

@@ -65,19 +65,24 @@ Scenario read_scenario(const std::string &text, const std::string &where, const 
     return scenario;
 }
 
+ScenarioFiles files_beside(const std::string &path)
+{
+    const size_t slash = path.rfind('/');
+    return {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, why_not_there};
+}
+
 Scenario load_scenario(const std::string &path)
 {
     std::string text;
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
-    const size_t slash = path.rfind('/');
     std::vector<std::string> found;
-    const auto find = [&](const std::string &file) {
+    ScenarioFiles files = files_beside(path);
+    files.find = [&](const std::string &file) {
         found.push_back(file);
         return why_not_there(file);
     };
-    Scenario scenario =
-        read_scenario(text, path, {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, find});
+    Scenario scenario = read_scenario(text, path, files);
     scenario.files = found;
     return scenario;
 }

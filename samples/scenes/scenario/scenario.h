@@ -56,6 +56,9 @@ struct ScenarioFiles {
     std::function<std::string(const std::string &path)> find;
 };
 
+// Files whose names are relative to the folder of the file `path`.
+ScenarioFiles files_beside(const std::string &path);
+
 // `where` names it in error messages. Throws Failure with line, column and rule if the text is not TOML, lacks
 // something, contradicts itself, or names a file that is not there.
 Scenario read_scenario(const std::string &toml, const std::string &where, const ScenarioFiles &files);

@@ -35,6 +35,10 @@ void read_ground(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 // The path of the file that a key names. Throws Failure, with the key's place, if it cannot be read.
 std::string file_of(TomlTable &table, const char *key, const ScenarioFiles &files);
 
+// What a character wears and plays, and its file if it is none of claque's own: also for descriptions of one person.
+void read_palette(TomlTable &described, SocialClass &made);
+void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, SocialClass &made);
+
 // A rectangle [x0, z0, x1, z1], or x and z of the corners of a convex polygon.
 Outline read_outline(TomlTable &table, const char *key);
 // What [stage] said; refuses the section `key` without one.

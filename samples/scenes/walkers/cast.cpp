@@ -102,22 +102,30 @@ void take_template(Library &library, Member &member, Lod lod)
     member.tmpl = made;
 }
 
-OwnLocomotion locomotion_of(Library &library, const Member &member)
+GaitClips gait_clips(const Member &member)
 {
     clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(member.tmpl, &info));
     const SocialClass::Clips &clips = member.described.clips;
-    clq_locomotion_def def = clq_locomotion_def_init();
-    def.tmpl = member.tmpl;
-    def.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
-    def.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
-    def.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
-    def.turn = clip_of(member, clips.turn, {"turn"}, info);
-    const std::vector<uint32_t> idles = idles_of(member, info);
-    if (def.walk == CLQ_NONE)
+    GaitClips out;
+    out.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
+    out.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
+    out.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
+    out.turn = clip_of(member, clips.turn, {"turn"}, info);
+    out.idles = idles_of(member, info);
+    if (out.walk == CLQ_NONE)
         throw Failure("the character " + member.described.character +
                       " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
-    def.idles = idles.data(), def.idle_count = static_cast<uint32_t>(idles.size());
+    return out;
+}
+
+OwnLocomotion locomotion_of(Library &library, const Member &member)
+{
+    const GaitClips clips = gait_clips(member);
+    clq_locomotion_def def = clq_locomotion_def_init();
+    def.tmpl = member.tmpl;
+    def.walk = clips.walk, def.run = clips.run, def.slow_walk = clips.slow_walk, def.turn = clips.turn;
+    def.idles = clips.idles.data(), def.idle_count = static_cast<uint32_t>(clips.idles.size());
     clq_locomotion *made = nullptr;
     check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.described.character);
     return OwnLocomotion(made);

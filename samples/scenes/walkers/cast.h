@@ -36,11 +36,18 @@ SocialClass class_of(const std::string &character);
 // Its template: a built-in character or a file.
 void take_template(Library &library, Member &member, Lod lod);
 
-// The clips that the class names, or those with usual names, measured. Throws Failure with the names of the clips that
-// a character lacks.
+// The clips that the class names, or those with usual names; CLQ_NONE: it has none, but it has a walk. Throws Failure
+// with the names of the clips that a character lacks.
+struct GaitClips {
+    uint32_t walk = CLQ_NONE, run = CLQ_NONE, slow_walk = CLQ_NONE, turn = CLQ_NONE;
+    std::vector<uint32_t> idles;
+};
+GaitClips gait_clips(const Member &member);
+
+// The same, measured.
 OwnLocomotion locomotion_of(Library &library, const Member &member);
 
-// The same, and its template.
+// Its template and its locomotion.
 Member cast(Library &library, const SocialClass &described, Lod lod);
 
 }  // namespace scenes::walkers

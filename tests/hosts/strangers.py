@@ -1,0 +1,62 @@
+#!/usr/bin/env python3
+"""Runs claque in programs and scenegraphs of others on a screen of its own, and ends with one table.
+
+strangers.py BUILD OUT [HOST...]: the folder of the build, a folder for pictures; without names, all hosts. A host that
+is not installed is skipped and named in the table, with its package. The exit status is 1 if a host failed.
+"""
+import pathlib
+import shutil
+import sys
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import sumo
+
+SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
+BUILD, OUT = (pathlib.Path(a).resolve() for a in sys.argv[1:3])
+
+
+def needs(**programs):
+    """The first of these programs that is not there, and its package."""
+    for program, package in programs.items():
+        if not shutil.which(program.replace("_", "-")):
+            return f"{program.replace('_', '-')} is not installed (Debian: {package})"
+    return ""
+
+
+def no_plugin():
+    return "" if list(BUILD.glob("samples/osgPlugins-*/osgdb_claque.so")) else \
+        "osgdb_claque was not built (Debian: libopenscenegraph-dev)"
+
+
+HOSTS = {
+    "sumo-gui": (lambda: no_plugin() or needs(sumo_gui="sumo", netgenerate="sumo", Xvfb="xvfb"),
+                 lambda: sumo.check_sumo(BUILD / "samples", OUT)),
+    "osgviewer": (lambda: no_plugin() or needs(osgviewer="openscenegraph", Xvfb="xvfb"),
+                  lambda: sumo.check_osgviewer(BUILD / "samples", OUT, SOURCE / "samples/scenarios")),
+}
+
+
+def main():
+    OUT.mkdir(parents=True, exist_ok=True)
+    rows, failed = [], False
+    for name in sys.argv[3:] or HOSTS:
+        absent, check = HOSTS[name]
+        start = time.monotonic()
+        why = absent()
+        if why:
+            rows.append((name, "skipped", why))
+            continue
+        try:
+            result = ("passed", check())
+        except Exception as failure:
+            result, failed = ("FAILED", str(failure)), True
+        rows.append((name, result[0], f"{result[1]} ({time.monotonic() - start:.0f} s)"))
+    print(f"{'host':12}{'result':10}what")
+    for name, result, what in rows:
+        print(f"{name:12}{result:10}{what}")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
