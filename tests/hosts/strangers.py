@@ -5,7 +5,9 @@ strangers.py BUILD OUT [HOST...]: the folder of the build, a folder for pictures
 is not installed is skipped and named in the table, with its package. The exit status is 1 if a host failed.
 """
 import pathlib
+import re
 import shutil
+import subprocess
 import sys
 import time
 
@@ -29,11 +31,20 @@ def no_plugin():
         "osgdb_claque was not built (Debian: libopenscenegraph-dev)"
 
 
+def check_test(name):
+    """Runs a test of this build; a test that skips is a failure here, where its host is there."""
+    run = subprocess.run([BUILD / "tests/hosts" / name], capture_output=True, text=True)
+    assert run.returncode == 0 and "[  SKIPPED ]" not in run.stdout, run.stdout + run.stderr
+    return re.search(r"\[  PASSED  \] (.*)\.", run.stdout).group(1)
+
+
 HOSTS = {
     "sumo-gui": (lambda: no_plugin() or needs(sumo_gui="sumo", netgenerate="sumo", Xvfb="xvfb"),
                  lambda: sumo.check_sumo(BUILD / "samples", OUT)),
     "osgviewer": (lambda: no_plugin() or needs(osgviewer="openscenegraph", Xvfb="xvfb"),
                   lambda: sumo.check_osgviewer(BUILD / "samples", OUT, SOURCE / "samples/scenarios")),
+    "Coin": (lambda: "" if (BUILD / "tests/hosts/hosts_coin_test").exists() else
+             "samples/hosts/coin was not built (Debian: libcoin-dev)", lambda: check_test("hosts_coin_test")),
 }
 
 
