@@ -1,11 +1,10 @@
 // claque labels: pictures with exact labels, for training and testing what looks at pictures.
-#include <cmath>
-#include <filesystem>
-
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/label_folder.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/scene_arguments.h"
+#include "samples/cli/provenance.h"
+#include "samples/cli/scene_about.h"
 #include "samples/cli/sequence.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/labels/collections.h"
@@ -17,15 +16,13 @@ namespace cli
 namespace
 {
 
-namespace fs = std::filesystem;
-
 struct LabelArguments {
     SceneArguments setup;
     std::string frames = "0", out, write = "coco", keypoints = "coco", json;
     std::vector<int> list;
     int chunk = 0, chunk_count = 1;
     double fps = 25;
-    bool again = false;
+    bool again = false, portable = false;
 };
 
 labels::Wanted wanted_by(const LabelArguments &a, const std::set<std::string> &formats)
@@ -46,54 +43,28 @@ labels::Wanted wanted_by(const LabelArguments &a, const std::set<std::string> &f
     return wanted;
 }
 
-// What a picture's labels depend on. A folder keeps labels of one kind.
-labels::Json settings_of(const LabelArguments &a, const scenes::SceneOptions &options)
+std::string gl_of(const scenes::SceneOptions &options)
 {
-    return {{"claque", version()},    {"scene", options.scene},   {"scenario", a.setup.scenario},
-            {"count", a.setup.count}, {"seed", a.setup.seed},     {"camera", a.setup.camera},
-            {"path", a.setup.path},   {"lod", a.setup.lod},       {"size_px", {options.width, options.height}},
-            {"fps", a.fps},           {"keypoints", a.keypoints}, {"write", a.write}};
+    std::string why_not;
+    const auto context = contexts::make_offscreen(options.context, 8, 8, options.format, why_not);
+    if (!context) throw scenes::Failure("no OpenGL context: " + why_not);
+    return context->name();
 }
 
-class Folder
+// What a picture's labels depend on.
+labels::Json settings_of(const LabelArguments &a, const scenes::SceneOptions &options)
 {
-public:
-    Folder(std::string path, labels::Json settings) : path_(std::move(path)), settings_(std::move(settings)) {}
-
-    void write(const labels::FrameFile &file) const
-    {
-        const fs::path to = fs::path(path_) / file.path;
-        std::error_code failed;
-        fs::create_directories(to.parent_path(), failed);
-        if (failed)
-            throw scenes::Failure("cannot make the folder " + to.parent_path().string() + ": " + failed.message());
-        write_whole(to.string(), file.bytes);
-    }
-    std::string about(int frame) const { return "frames/" + labels::number_of(frame) + ".json"; }
-    // What a picture says that is labelled already; empty: it is not, or otherwise.
-    labels::Json kept(int frame) const
-    {
-        const std::string path = (fs::path(path_) / about(frame)).string();
-        std::error_code none;
-        if (!fs::is_regular_file(path, none)) return {};
-        const labels::Json read = labels::Json::parse(text_of(path), nullptr, false);
-        return read.is_object() && read.value("settings", labels::Json()) == settings_ ? read : labels::Json();
-    }
-    // The last file of a picture: with it the picture is whole.
-    labels::Json conclude(labels::Json about_frame) const
-    {
-        about_frame["settings"] = settings_;
-        write({about(about_frame["frame"].get<int>()), about_frame.dump() + "\n"});
-        return about_frame;
-    }
-
-private:
-    std::string path_;
-    labels::Json settings_;
-};
+    labels::Json settings = {{"scene", scene_about(a.setup, options)},
+                             {"fps", a.fps},
+                             {"keypoints", a.keypoints},
+                             {"write", labels::read_formats(a.write)}};
+    settings.update(provenance(gl_of(options)));
+    return settings;
+}
 
 void label(const LabelArguments &a)
 {
+    if (a.portable) use_portable_drivers();
     Progress progress("claque labels");
     const std::set<std::string> formats = labels::read_formats(a.write);
     const labels::KeypointSet &keypoints = labels::keypoint_set(a.keypoints);
@@ -101,7 +72,7 @@ void label(const LabelArguments &a)
     const LoadedCharacter none;
     scenes::SceneOptions options = scene_options(a.setup, none);
     options.crowd_options.exact_poses = true;
-    const Folder folder(a.out, settings_of(a, options));
+    const LabelFolder folder(a.out, settings_of(a, options), a.again);
     std::vector<labels::Json> frames;
     std::unique_ptr<scenes::SceneRenderer> scene;
     std::optional<labels::Labeller> labeller;
@@ -109,7 +80,7 @@ void label(const LabelArguments &a)
     const std::vector<int> share = chunk_of(a.list, a.chunk, a.chunk_count);
     for (size_t i = 0; i < share.size(); ++i) {
         progress.step(i, share.size());
-        labels::Json kept = a.again ? labels::Json() : folder.kept(share[i]);
+        labels::Json kept = folder.kept(share[i]);
         if (!kept.empty()) {
             frames.push_back(std::move(kept));
             continue;
@@ -171,6 +142,8 @@ void add_labels(CLI::App &app, Work &chosen)
          "Only share K of N of the pictures: one job of an array. A run without it makes the files about all of them")
         ->type_name("K/N");
     c->add_flag("--again", a->again, "Label finished pictures again");
+    c->add_flag("--portable", a->portable,
+                "Restrict Mesa to what every x86-64 processor can do, so that all of them draw the same pixels");
     c->add_option("--out,-o", a->out, "Folder; pictures that it has already are kept")->required();
     c->add_option("--json", a->json, "Write times as JSON; - is standard output");
     c->callback([a, &chosen] {

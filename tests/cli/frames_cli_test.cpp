@@ -145,6 +145,15 @@ TEST_F(Film, OfDifferentScenesOrProcessorsIsRefused)
     EXPECT_EQ(check("jobs").code, 0);
 }
 
+TEST_F(Film, OfAnotherHourIsAnother)
+{
+    draw_share("jobs", 0, 2);
+    ASSERT_EQ(draw("jobs", {"--chunk", "1/2", "--manifest", path("jobs") + "/m1.json", "--hour", "9"}).code, 0);
+    const Outcome wrong = check("jobs");
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_NE(wrong.out.find("scene_hash differs"), std::string::npos) << wrong.out;
+}
+
 TEST_F(Film, OfAJobThatWasKilledGoesOnWhereItStopped)
 {
     const std::string manifest = path("jobs") + "/m.json";

@@ -63,14 +63,58 @@ TEST_F(LabelsCommand, WritesTheSameFolderAtOnceAndInParts)
     EXPECT_TRUE(contents("threads") == whole);
 }
 
-TEST_F(LabelsCommand, KeepsFinishedPicturesAndMakesThoseOfOtherSettingsAgain)
+TEST_F(LabelsCommand, KeepsFinishedPicturesOfTheSameSettings)
 {
     ASSERT_EQ(label("f", {"--frames", "0:1"}).code, 0);
     const fs::file_time_type before = fs::last_write_time(path("f") + "/images/000000.png");
     ASSERT_EQ(label("f", {"--frames", "0:1"}).code, 0);
     EXPECT_EQ(fs::last_write_time(path("f") + "/images/000000.png"), before);
-    ASSERT_EQ(label("f", {"--frames", "0:1", "--seed", "7"}).code, 0);
+    ASSERT_EQ(label("f", {"--frames", "0:1", "--again"}).code, 0);
     EXPECT_NE(fs::last_write_time(path("f") + "/images/000000.png"), before);
+}
+
+TEST_F(LabelsCommand, RefusesToMixLabelsOfDifferentSettingsInAFolder)
+{
+    ASSERT_EQ(label("f", {"--frames", "0:1"}).code, 0);
+    const auto before = contents("f");
+    const std::vector<std::pair<std::vector<std::string>, std::string>> others = {
+        {{"--hour", "9"}, "/scene/hour is 0.0 there and 9.0 here"},
+        {{"--lod", "off"}, "/scene/levels/0 is \"on\" there and \"off\" here"},
+        {{"--lod-scale", "2"}, "/scene/levels/1 is 1.0 there and 2.0 here"},
+        {{"--seed", "7"}, "/scene/seed is 1 there and 7 here"},
+        {{"--write", "mot"}, "/write/0 is \"coco\" there and \"mot\" here"},
+        {{"--keypoints", "smpl"}, "/keypoints is \"coco\" there and \"smpl\" here"},
+        {{"--flat", "0"}, "/scene/levels/2 is 64 there and 0 here"},
+    };
+    for (const auto &[options, sentence] : others) {
+        std::vector<std::string> all = {"--frames", "0:2"};
+        all.insert(all.end(), options.begin(), options.end());
+        const Outcome refused = label("f", all);
+        EXPECT_EQ(refused.code, 1) << options[0];
+        EXPECT_NE(refused.err.find("has labels of other settings: " + sentence), std::string::npos) << refused.err;
+    }
+    EXPECT_TRUE(contents("f") == before);
+    // All anew, if that is said; a picture that was not made anew is not taken for one of these.
+    ASSERT_EQ(label("f", {"--frames", "0", "--seed", "7", "--again"}).code, 0);
+    const Outcome mixed = label("f", {"--frames", "0:1", "--seed", "7"});
+    EXPECT_EQ(mixed.code, 1);
+    EXPECT_NE(mixed.err.find("has labels of other settings for frame 1"), std::string::npos) << mixed.err;
+}
+
+TEST_F(LabelsCommand, RefusesToGoOnWhereAFileOfTheScenarioHasChanged)
+{
+    const std::string from = std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/corridor";
+    for (const char *end : {".toml", ".csv", ".wkt"}) fs::copy_file(from + end, path(std::string("corridor") + end));
+    const auto labelled = [&] {
+        return claque(
+            {"labels", "--scenario", path("corridor.toml"), "--size", "48x36", "--frames", "0:1", "--out", path("f")});
+    };
+    ASSERT_EQ(labelled().code, 0);
+    ASSERT_EQ(labelled().code, 0);
+    std::ofstream(path("corridor.csv"), std::ios::app) << "\n";
+    const Outcome refused = labelled();
+    EXPECT_EQ(refused.code, 1);
+    EXPECT_NE(refused.err.find("/scene/scenario_files/"), std::string::npos) << refused.err;
 }
 
 TEST_F(LabelsCommand, RefusesFormatsAndFoldersByName)

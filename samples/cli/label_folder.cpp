@@ -1,0 +1,84 @@
+#include "samples/cli/label_folder.h"
+
+#include <filesystem>
+
+#include "samples/cli/files.h"
+#include "samples/cli/provenance.h"
+#include "samples/labels/frame_files.h"
+
+namespace cli
+{
+namespace
+{
+
+namespace fs = std::filesystem;
+
+const char *const settings_file = "settings.json";
+
+// Null: no such file, or no JSON.
+labels::Json read_json(const fs::path &path)
+{
+    std::error_code none;
+    if (!fs::is_regular_file(path, none)) return {};
+    return labels::Json::parse(text_of(path.string()), nullptr, false);
+}
+
+// "/scene/hour is 8 there and 9 here".
+std::string difference(const labels::Json &there, const labels::Json &here)
+{
+    const labels::Json a = there.flatten(), b = here.flatten();
+    const auto word = [](const labels::Json &all, const std::string &key) {
+        return all.contains(key) ? all[key].dump() : std::string("missing");
+    };
+    for (const labels::Json &all : {b, a})
+        for (const auto &one : all.items())
+            if (word(a, one.key()) != word(b, one.key()))
+                return one.key() + " is " + word(a, one.key()) + " there and " + word(b, one.key()) + " here";
+    return "their order differs";
+}
+
+std::string name_of(int frame) { return "frames/" + labels::number_of(frame) + ".json"; }
+
+}  // namespace
+
+LabelFolder::LabelFolder(std::string path, const labels::Json &settings, bool again)
+    : path_(std::move(path)), again_(again)
+{
+    const std::string text = settings.dump(1) + "\n";
+    settings_hash_ = sha256_of(text.data(), text.size());
+    const labels::Json before = read_json(fs::path(path_) / settings_file);
+    if (before == settings) return;
+    if (before.is_object() && !again)
+        throw scenes::Failure(path_ + " has labels of other settings: " + difference(before, settings) +
+                              "; choose another folder, or make all anew with --again");
+    write({settings_file, text});
+}
+
+void LabelFolder::write(const labels::FrameFile &file) const
+{
+    const fs::path to = fs::path(path_) / file.path;
+    std::error_code failed;
+    fs::create_directories(to.parent_path(), failed);
+    if (failed) throw scenes::Failure("cannot make the folder " + to.parent_path().string() + ": " + failed.message());
+    write_whole(to.string(), file.bytes);
+}
+
+labels::Json LabelFolder::kept(int frame) const
+{
+    if (again_) return {};
+    labels::Json read = read_json(fs::path(path_) / name_of(frame));
+    if (!read.is_object()) return {};
+    if (read.value("settings", labels::Json()) != settings_hash_)
+        throw scenes::Failure(path_ + " has labels of other settings for frame " + std::to_string(frame) +
+                              "; make them anew with --again");
+    return read;
+}
+
+labels::Json LabelFolder::conclude(labels::Json about_frame) const
+{
+    about_frame["settings"] = settings_hash_;
+    write({name_of(about_frame["frame"].get<int>()), about_frame.dump() + "\n"});
+    return about_frame;
+}
+
+}  // namespace cli

@@ -1,0 +1,38 @@
+#include "samples/cli/scene_about.h"
+
+#include <filesystem>
+
+#include "samples/cli/provenance.h"
+
+namespace cli
+{
+
+Json file_about(const std::string &path)
+{
+    if (path.empty() || !std::filesystem::is_regular_file(path)) return path;
+    return {{"file", std::filesystem::path(path).filename().string()}, {"sha256", sha256_of_file(path)}};
+}
+
+Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
+{
+    Json scene;
+    scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.hidden;
+    scene["scenario"] = file_about(s.scenario), scene["path"] = file_about(s.path);
+    if (s.described && !s.described->files.empty()) {
+        scene["scenario_files"] = Json::array();
+        for (const std::string &file : s.described->files) scene["scenario_files"].push_back(file_about(file));
+    }
+    scene["count"] = s.count, scene["seed"] = s.seed, scene["camera"] = s.camera, scene["hour"] = s.hour;
+    scene["size_px"] = {options.width, options.height};
+    scene["format"] = s.format, scene["filter"] = s.filter;
+    if (s.close_mib != 0) scene["close_textures"] = {s.close_mib, s.close_distance_m};
+    scene["cull"] = {s.cull, s.cull_scale};
+    scene["shape"] = {s.rigid_mode, s.vertex_format};
+    scene["levels"] = {s.lod, s.lod_scale, s.flat_triangles};
+    scene["shadows"] = {s.shadows, s.blob_from_m};
+    scene["show"] = s.show;
+    scene["key_poses"] = s.cache.rfind("keypose", 0) == 0 ? Json({s.cache, s.key_poses, s.key_pose_hz}) : Json();
+    return scene;
+}
+
+}  // namespace cli
