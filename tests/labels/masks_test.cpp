@@ -55,6 +55,34 @@ TEST(Letters, HoldFiveBitsEachAndDifferencesFromTheFourthRunOn)
     EXPECT_EQ(letters_of({1, 2, 3, 2}), "1230");  // the fourth is 2 - 2
 }
 
+// The annotation in https://docs.cloudfactory.com/export-formats/coco-dataset-format, with its area and box.
+TEST(Letters, AreThoseOfAPublishedAnnotation)
+{
+    const std::string counts =
+        "WRQR14oT20K?D5M0O7I6K3M005K3M004L0N4N001O02N001N2O0001O2N00001O02N0000N3O0000002N00001O000O1O100000"
+        "0000001O00000N20000000O01000000000000N2000O10O1000N20O10000N200000O01000000N11000000000000N200000000"
+        "00O3N00001O2N001O0N3O002M2O002M3L7J101H>A_SbS3";
+    const int width = 2097, height = 2211;
+    const std::vector<uint32_t> runs = runs_in(counts);
+    EXPECT_EQ(letters_of(runs), counts);
+    std::vector<uint8_t> inside(size_t(width) * size_t(height));
+    size_t at = 0, area = 0;
+    int x0 = width, y0 = height, x1 = 0, y1 = 0;
+    for (size_t k = 0; k < runs.size(); ++k)
+        for (uint32_t i = 0; i < runs[k]; ++i, ++at) {
+            if (k % 2 == 0) continue;
+            const int x = static_cast<int>(at / size_t(height)), y = static_cast<int>(at % size_t(height));
+            ASSERT_LT(x, width);
+            inside[size_t(y) * size_t(width) + size_t(x)] = 1;
+            x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+            ++area;
+        }
+    EXPECT_EQ(at, inside.size());
+    EXPECT_EQ(area, 6718u);
+    EXPECT_EQ((std::vector<int>{x0, y0, x1 - x0 + 1, y1 - y0 + 1}), (std::vector<int>{504, 842, 117, 75}));
+    EXPECT_EQ(letters_of(runs_of(inside, width, height)), counts);
+}
+
 TEST(Letters, AreReadBackByASecondReader)
 {
     std::mt19937 random(5);
