@@ -33,7 +33,7 @@ private:
     void take_people(Sample &out);
     void take_box(uint32_t index, const clq_drawn_actor &drawn, const Sample &sample, Person &out);
     void take_keypoints(const clq_drawn_actor &drawn, const Sample &sample, Person &out);
-    Keypoint keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double radius_m,
+    Keypoint keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double below_m,
                          const Sample &sample) const;
     void measure_silhouettes(Sample &out);
     std::vector<float> flow_to(double time_s, const Sample &sample);

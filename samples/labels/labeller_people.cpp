@@ -83,7 +83,7 @@ void Labeller::take_box(uint32_t index, const clq_drawn_actor &drawn, const Samp
     for (size_t k = 0; k < 4; ++k) out.rotation_xyzw[k] = static_cast<double>(info.root.orientation_xyzw[k]);
 }
 
-Keypoint Labeller::keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double radius_m,
+Keypoint Labeller::keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double below_m,
                                const Sample &sample) const
 {
     Keypoint out;
@@ -98,9 +98,9 @@ Keypoint Labeller::keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Pl
     const double x = std::floor(out.px[0]), y = std::floor(out.px[1]);
     if (x < 0 || y < 0 || x >= sample.width || y >= sample.height) return out;
     const size_t at = static_cast<size_t>(y) * static_cast<size_t>(sample.width) + static_cast<size_t>(x);
-    // A joint lies within the body: the person's own surface may be in front of it by as much as the limb is thick.
+    // A joint lies within the body: the person's own surface may be in front of it.
     const bool shown =
-        sample.actor[at] == drawn.actor.index1 && static_cast<double>(sample.depth_m[at]) > depth_m - radius_m;
+        sample.actor[at] == drawn.actor.index1 && static_cast<double>(sample.depth_m[at]) > depth_m - below_m;
     out.seen = shown ? Seen::visible : Seen::hidden;
     return out;
 }
@@ -110,10 +110,10 @@ void Labeller::take_keypoints(const clq_drawn_actor &drawn, const Sample &sample
     const Skeletons::Skeleton &skeleton = skeletons_.of(drawn.tmpl);
     clq_actor_info info = clq_actor_info_init();
     check(clq_actor_get_info(scene_.scene().crowd(), drawn.actor, &info));
-    const double head_m = skeleton.head_m * std::fabs(static_cast<double>(info.root.scale));
+    const double scale = std::fabs(static_cast<double>(info.root.scale));
     for (const Skeletons::Place &place : skeleton.places)
-        out.keypoints.push_back(keypoint_at(drawn, place, 1.2 * head_m, sample));
-    out.head = keypoint_at(drawn, skeleton.head, 1.5 * head_m, sample);
+        out.keypoints.push_back(keypoint_at(drawn, place, scale * place.below_m, sample));
+    out.head = keypoint_at(drawn, skeleton.head, scale * skeleton.head.below_m, sample);
 }
 
 }  // namespace labels

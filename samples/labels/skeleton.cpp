@@ -1,7 +1,9 @@
 #include "samples/labels/skeleton.h"
 
-#include <algorithm>
-#include <cmath>
+#include <cctype>
+
+#include "samples/labels/face.h"
+#include "samples/labels/rest_pose.h"
 
 namespace labels
 {
@@ -77,70 +79,6 @@ uint32_t find_keypoint(const std::map<std::string, uint32_t> &nodes, const std::
     return joints().count(name) != 0 ? find_joint(nodes, name, true) : CLQ_NONE;
 }
 
-// Points of the face in the space of the model, in heights of the head above its joint; people face +z and their left
-// is +x.
-const std::map<std::string, std::array<double, 3>> &face()
-{
-    static const std::map<std::string, std::array<double, 3>> all = {{"nose", {0, 0.42, 0.52}},
-                                                                     {"left_eye", {0.15, 0.55, 0.42}},
-                                                                     {"right_eye", {-0.15, 0.55, 0.42}},
-                                                                     {"left_ear", {0.36, 0.48, 0.05}},
-                                                                     {"right_ear", {-0.36, 0.48, 0.05}}};
-    return all;
-}
-
-// The template in its rest pose, in a crowd of its own.
-class Rest
-{
-public:
-    Rest(scenes::Library &library, const clq_template *tmpl)
-    {
-        clq_crowd_def crowd_def = clq_crowd_def_init();
-        crowd_def.period_near_s = crowd_def.period_far_s = crowd_def.lod_scale = 0;
-        clq_crowd *crowd = nullptr;
-        check(clq_crowd_create(library.context(), &crowd_def, &crowd));
-        crowd_.reset(crowd);
-        clq_actor_def def = clq_actor_def_init();
-        def.tmpl = const_cast<clq_template *>(tmpl);
-        def.play.clip = CLQ_NONE;
-        check(clq_actor_create(crowd, &def, &actor_));
-    }
-    std::array<double, 16> node(uint32_t node) const
-    {
-        std::array<double, 16> m;
-        check(clq_actor_get_node(crowd_.get(), actor_, node, 0, m.data()));
-        return m;
-    }
-
-    // How far the body reaches above a height.
-    double top_above(double height) const
-    {
-        clq_actor_info info = clq_actor_info_init();
-        check(clq_actor_get_info(crowd_.get(), actor_, &info));
-        const double away = 4 * static_cast<double>(info.refpoint_radius);  // a sphere round the origin
-        clq_look_at_def look = clq_look_at_def_init();
-        look.target[2] = 0, look.eye[2] = away;
-        look.z_near = static_cast<float>(away / 100), look.z_far = static_cast<float>(4 * away);
-        clq_camera camera = {};
-        check(clq_camera_look_at(&look, &camera));
-        clq_view *view = nullptr;
-        check(clq_view_create(crowd_.get(), &view));
-        check(clq_view_set_camera(view, &camera));
-        check(clq_crowd_update(crowd_.get(), 0, &view, 1));
-        clq_drawn_actor drawn = clq_drawn_actor_init();
-        check(clq_view_get_drawn_actor(view, 0, &drawn));
-        std::vector<float> xyz(3 * static_cast<size_t>(drawn.vertex_count));
-        check(clq_view_get_vertices(view, 0, xyz.data(), nullptr, drawn.vertex_count));
-        double top = height;
-        for (size_t v = 1; v < xyz.size(); v += 3) top = std::max(top, static_cast<double>(xyz[v]));
-        return top - height;
-    }
-
-private:
-    scenes::Own<clq_crowd> crowd_;
-    clq_actor actor_ = {};
-};
-
 // A vector of the model in the frame of a node whose axes are of one length and perpendicular.
 std::array<double, 3> in_frame(const std::array<double, 16> &m, const std::array<double, 3> &v)
 {
@@ -213,25 +151,21 @@ const Skeletons::Skeleton &Skeletons::of(const clq_template *tmpl)
     clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
     for (uint32_t i = 0; i < info.node_count; ++i) nodes.emplace(plain(clq_template_get_node_name(tmpl, i)), i);
-    const Rest rest(library_, tmpl);
     const uint32_t head = find_joint(nodes, "head", true);
+    Face face;
     std::array<double, 16> at_head = {};
     if (head != CLQ_NONE) {
+        const RestPose rest(library_, tmpl);
         at_head = rest.node(head);
-        const double tall = rest.top_above(at_head[13]);
-        made.head_m = tall / 2;
-        made.head = {head, in_frame(at_head, {0, tall / 2, 0.1 * tall})};
+        face = face_of({at_head[12], at_head[13], at_head[14]}, rest.vertices());
+        made.head = {head, in_frame(at_head, face.middle), 1.5 * face.radius_m};
     }
+    const bool has_face = head != CLQ_NONE;
     for (const std::string &name : set_.names) {
+        const auto of_face = has_face ? face.points.find(name) : face.points.end();
         Place place;
-        const auto of_face = face().find(name);
-        if (of_face == face().end()) place.node = find_keypoint(nodes, name);
-        else if (head != CLQ_NONE) {
-            const double tall = 2 * made.head_m;
-            place.node = head;
-            place.at =
-                in_frame(at_head, {of_face->second[0] * tall, of_face->second[1] * tall, of_face->second[2] * tall});
-        }
+        if (of_face == face.points.end()) place = {find_keypoint(nodes, name), {0, 0, 0}, 1.2 * face.radius_m};
+        else place = {head, in_frame(at_head, of_face->second), 0.4 * face.radius_m};
         made.places.push_back(place);
     }
     return known_.emplace(tmpl, std::move(made)).first->second;

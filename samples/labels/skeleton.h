@@ -33,11 +33,11 @@ public:
     struct Place {
         uint32_t node = CLQ_NONE;              // CLQ_NONE: absent
         std::array<double, 3> at = {0, 0, 0};  // in the node's frame
+        double below_m = 0;                    // the body's own surface may be so far in front of it
     };
     struct Skeleton {
         std::vector<Place> places;  // by keypoint
         Place head;
-        double head_m = 0.1;  // radius of the head
     };
     const Skeleton &of(const clq_template *tmpl);
     const KeypointSet &set() const { return set_; }

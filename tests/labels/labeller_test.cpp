@@ -82,6 +82,30 @@ TEST_F(LabelsOfAScene, HaveKeypointsOnThePeopleThatTheyBelongTo)
     EXPECT_GT(hidden, 20u);
 }
 
+TEST_F(LabelsOfAScene, HideTheFacesOfPeopleThatLookAway)
+{
+    open("plaza", 80, 640, 480);
+    const Sample sample = labeller_->label(0, 1);
+    size_t away = 0, towards = 0, seen = 0;
+    for (const Person &person : sample.people) {
+        if (person.head.seen != Seen::visible) continue;
+        // Where +z of the person is, level as people stand, and the way to the eye.
+        const auto &q = person.rotation_xyzw;
+        const double x = 2 * (q[0] * q[2] + q[1] * q[3]), z = 1 - 2 * (q[0] * q[0] + q[1] * q[1]);
+        const double u = sample.camera.eye[0] - person.head.world[0], w = sample.camera.eye[2] - person.head.world[2];
+        const double turned = (x * u + z * w) / std::hypot(u, w);
+        for (const size_t point : {size_t{0}, size_t{1}, size_t{2}}) {  // nose and eyes
+            const Seen state = person.keypoints[point].seen;
+            if (turned < -0.85) EXPECT_EQ(state, Seen::hidden) << person.actor << " " << point;
+            if (turned > 0.8) seen += state == Seen::visible;
+        }
+        away += turned<-0.85, towards += turned> 0.8;
+    }
+    EXPECT_GT(away, 5u);
+    EXPECT_GT(towards, 5u);
+    EXPECT_GT(seen, 2 * towards);
+}
+
 TEST_F(LabelsOfAScene, AreTheSameForAnyNumberOfThreadsAndWhateverWasLabelledBefore)
 {
     open("plaza", 40, 160, 120);

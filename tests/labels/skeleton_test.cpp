@@ -66,6 +66,23 @@ TEST(Keypoints, OfBuiltInPeopleAreTheirJoints)
     }
 }
 
+// Whatever their hair: lib/figures paints the eyes of all four at the same place.
+TEST(Keypoints, OfFacesAreWhereTheFacesArePainted)
+{
+    scenes::Library library(1);
+    for (const char *name : {"citizen", "patrician", "decurion", "plebeian"}) {
+        SCOPED_TRACE(name);
+        const auto at = rest_points(library, library.builtin(name), labels::coco_keypoints());
+        for (const std::string side : {"left_eye", "right_eye"}) {
+            EXPECT_NEAR(at.at(side)[0], side == "left_eye" ? 0.0315 : -0.0315, 0.006);
+            EXPECT_NEAR(at.at(side)[1], 1.6345, 0.006);
+            EXPECT_NEAR(at.at(side)[2], 0.0895, 0.006);
+        }
+        EXPECT_NEAR(at.at("nose")[1], 1.597, 0.008);
+        EXPECT_GT(at.at("nose")[2], at.at("left_eye")[2] + 0.02);
+    }
+}
+
 TEST(Keypoints, OfAnOwlAreAbsentOrItsOwn)
 {
     scenes::Library library(1);
