@@ -36,13 +36,6 @@ Json camera_json(const Sample &sample)
     return out;
 }
 
-std::string mask_of(const Sample &sample, uint32_t actor)
-{
-    std::vector<uint8_t> inside(sample.actor.size());
-    for (size_t i = 0; i < inside.size(); ++i) inside[i] = sample.actor[i] == actor;
-    return letters_of(runs_of(inside, sample.width, sample.height));
-}
-
 }  // namespace
 
 Json frame_json(const Sample &sample)
@@ -57,7 +50,8 @@ Json frame_json(const Sample &sample)
         one["id"] = person.actor, one["character"] = person.character;
         one["visible_px"] = person.visible_px, one["silhouette_px"] = person.whole_px;
         one["visible_box"] = box_json(person.visible), one["whole_box"] = box_json(person.whole);
-        if (person.visible_px > 0) one["mask"] = mask_of(sample, person.actor);
+        if (person.visible_px > 0)
+            one["mask"] = letters_of(runs_of(sample.actor, person.actor, sample.width, sample.height, person.visible));
         one["keypoints"] = Json::array();
         for (const Keypoint &point : person.keypoints) one["keypoints"].push_back(keypoint_json(point));
         one["head"] = keypoint_json(person.head);

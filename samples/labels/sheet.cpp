@@ -50,10 +50,12 @@ public:
             set(column, row, x, y, colour(i));
         }
     }
-    void dot(int column, int row, double x, double y, const Rgb &colour)
+    // reach: pixels round the middle one.
+    void dot(int column, int row, const Keypoint &at, int reach, const Rgb &colour)
     {
-        for (int v = -1; v <= 1; ++v)
-            for (int u = -1; u <= 1; ++u) {
+        const double x = at.px[0], y = at.px[1];
+        for (int v = -reach; v <= reach; ++v)
+            for (int u = -reach; u <= reach; ++u) {
                 const int px = static_cast<int>(std::floor(x)) + u, py = static_cast<int>(std::floor(y)) + v;
                 if (px >= 0 && py >= 0 && px < sample_.width && py < sample_.height) set(column, row, px, py, colour);
             }
@@ -123,11 +125,15 @@ std::vector<unsigned char> sheet(const Sample &s)
         for (uint8_t &c : dim) c = static_cast<uint8_t>(c / 2);
         return dim;
     });
-    for (const Person &person : s.people)
+    for (const Person &person : s.people) {
+        // Joints of small people would cover them.
+        const double tall_px = person.whole.y1 - person.whole.y0;
+        if (person.visible_px == 0 || tall_px < 24) continue;
+        const int reach = tall_px < 80 ? 0 : 1;
         for (const Keypoint &point : person.keypoints)
-            if (point.seen == Seen::visible) out.dot(3, 1, point.px[0], point.px[1], {80, 255, 80});
-            else if (point.seen == Seen::hidden && person.visible_px > 0)
-                out.dot(3, 1, point.px[0], point.px[1], {255, 90, 60});
+            if (point.seen == Seen::visible) out.dot(3, 1, point, reach, {80, 255, 80});
+            else if (point.seen == Seen::hidden) out.dot(3, 1, point, reach, {255, 90, 60});
+    }
     return out.png();
 }
 

@@ -47,6 +47,28 @@ TEST(Runs, GoDownTheColumns)
     EXPECT_EQ(runs_of({0, 0, 1, 1}, 2, 2), (std::vector<uint32_t>{1, 1, 1, 1}));
 }
 
+TEST(Runs, OfAPersonAreReadInItsBoxAlone)
+{
+    std::mt19937 random(6);
+    for (int round = 0; round < 300; ++round) {
+        const int width = 1 + static_cast<int>(random() % 20), height = 1 + static_cast<int>(random() % 20);
+        const int left = static_cast<int>(random() % static_cast<unsigned>(width)),
+                  top = static_cast<int>(random() % static_cast<unsigned>(height));
+        const int right = left + 1 + static_cast<int>(random() % static_cast<unsigned>(width - left)),
+                  bottom = top + 1 + static_cast<int>(random() % static_cast<unsigned>(height - top));
+        std::vector<uint32_t> values;
+        std::vector<uint8_t> inside;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const bool in_box = x >= left && x < right && y >= top && y < bottom;
+                values.push_back(in_box && random() % 3 != 0 ? 7 : 5);
+                inside.push_back(values.back() == 7);
+            }
+        const labels::Box box = {double(left), double(top), double(right), double(bottom)};
+        EXPECT_EQ(runs_of(values, 7, width, height, box), runs_of(inside, width, height));
+    }
+}
+
 TEST(Letters, HoldFiveBitsEachAndDifferencesFromTheFourthRunOn)
 {
     EXPECT_EQ(letters_of({0}), "0");
