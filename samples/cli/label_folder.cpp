@@ -13,8 +13,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-const char *const settings_file = "settings.json";
-
 // Null: no such file, or no JSON.
 labels::Json read_json(const fs::path &path)
 {
@@ -42,16 +40,15 @@ std::string name_of(int frame) { return "frames/" + labels::number_of(frame) + "
 }  // namespace
 
 LabelFolder::LabelFolder(std::string path, const labels::Json &settings, bool again)
-    : path_(std::move(path)), again_(again)
+    : path_(std::move(path)),
+      settings_(settings.dump(1) + "\n"),
+      settings_hash_(sha256_of(settings_.data(), settings_.size())),
+      again_(again)
 {
-    const std::string text = settings.dump(1) + "\n";
-    settings_hash_ = sha256_of(text.data(), text.size());
-    const labels::Json before = read_json(fs::path(path_) / settings_file);
-    if (before == settings) return;
-    if (before.is_object() && !again)
+    const labels::Json before = read_json(fs::path(path_) / "settings.json");
+    if (before.is_object() && !again && before != settings)
         throw scenes::Failure(path_ + " has labels of other settings: " + difference(before, settings) +
                               "; choose another folder, or make all anew with --again");
-    write({settings_file, text});
 }
 
 void LabelFolder::write(const labels::FrameFile &file) const

@@ -12,11 +12,12 @@ namespace cli
 class LabelFolder
 {
 public:
-    // settings: what labels depend on. Writes them as settings.json, once. Throws scenes::Failure, and changes nothing,
-    // if the folder has labels of other settings: the sentence has the first that differs. `again`: the settings
-    // are replaced, and no picture is kept.
+    // settings: what labels depend on. Throws scenes::Failure if the folder has labels of other settings: the sentence
+    // has the first that differs. `again`: they are replaced, and no picture is kept.
     LabelFolder(std::string path, const labels::Json &settings, bool again);
 
+    // Writes settings.json, before the first picture.
+    void begin() const { write({"settings.json", settings_}); }
     void write(const labels::FrameFile &file) const;
     // What a picture says that is labelled already; empty: it is not.
     labels::Json kept(int frame) const;
@@ -24,7 +25,7 @@ public:
     labels::Json conclude(labels::Json about_frame) const;
 
 private:
-    std::string path_, settings_hash_;
+    std::string path_, settings_, settings_hash_;
     bool again_;
 };
 

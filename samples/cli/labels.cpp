@@ -2,6 +2,7 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/label_folder.h"
+#include "samples/cli/label_scene.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/scene_about.h"
@@ -9,7 +10,6 @@
 #include "samples/cli/stopwatch.h"
 #include "samples/labels/collections.h"
 #include "samples/labels/frame_files.h"
-#include "samples/labels/labeller.h"
 
 namespace cli
 {
@@ -18,7 +18,8 @@ namespace
 
 struct LabelArguments {
     SceneArguments setup;
-    std::string frames = "0", out, write = "coco", keypoints = "coco", json;
+    std::string frames = "0", out, write = "coco", keypoints = "coco", json, vary;
+    std::optional<labels::Rules> rules;  // of the file `vary`
     std::vector<int> list;
     int chunk = 0, chunk_count = 1;
     double fps = 25;
@@ -58,6 +59,10 @@ labels::Json settings_of(const LabelArguments &a, const scenes::SceneOptions &op
                              {"fps", a.fps},
                              {"keypoints", a.keypoints},
                              {"write", labels::read_formats(a.write)}};
+    if (a.rules) {
+        settings["vary"] = file_about(a.vary);
+        for (const std::string &file : a.rules->files) settings["vary_files"].push_back(file_about(file));
+    }
     settings.update(provenance(gl_of(options)));
     return settings;
 }
@@ -74,8 +79,7 @@ void label(const LabelArguments &a)
     options.crowd_options.exact_poses = true;
     const LabelFolder folder(a.out, settings_of(a, options), a.again);
     std::vector<labels::Json> frames;
-    std::unique_ptr<scenes::SceneRenderer> scene;
-    std::optional<labels::Labeller> labeller;
+    std::unique_ptr<LabelScene> scene;
     labels::Json report = labels::Json::array();
     const std::vector<int> share = chunk_of(a.list, a.chunk, a.chunk_count);
     for (size_t i = 0; i < share.size(); ++i) {
@@ -85,18 +89,22 @@ void label(const LabelArguments &a)
             frames.push_back(std::move(kept));
             continue;
         }
+        const labels::Wanted wanted = wanted_by(a, formats);
         if (!scene) {
-            scene = std::make_unique<scenes::SceneRenderer>(library, options);
-            labeller.emplace(library, *scene, wanted_by(a, formats));
+            scene = a.rules ? varied_scene(library, a.setup, options, wanted, a.fps, *a.rules)
+                            : film_scene(library, options, wanted, a.fps);
+            folder.begin();
         }
         const Stopwatch labelling;
-        const labels::Sample sample = labeller->label(share[i], share[i] / a.fps);
+        const LabelledPicture made = scene->label(share[i]);
         const double label_ms = labelling.ms();
-        for (const labels::FrameFile &file : labels::frame_files(sample, formats)) folder.write(file);
-        frames.push_back(folder.conclude(labels::frame_json(sample)));
-        report.push_back({{"frame", sample.frame},
-                          {"people", sample.people.size()},
-                          {"silhouette_pictures", labeller->silhouette_pictures()},
+        for (const labels::FrameFile &file : labels::frame_files(made.sample, formats)) folder.write(file);
+        labels::Json about = labels::frame_json(made.sample);
+        if (!made.choice.is_null()) about["choice"] = made.choice;
+        frames.push_back(folder.conclude(std::move(about)));
+        report.push_back({{"frame", made.sample.frame},
+                          {"people", made.sample.people.size()},
+                          {"silhouette_pictures", made.silhouette_pictures},
                           {"label_ms", label_ms},
                           {"files_ms", labelling.ms() - label_ms}});
     }
@@ -125,6 +133,10 @@ void add_labels(CLI::App &app, Work &chosen)
     c->add_option("--frames", a->frames, "First to last, single frames and strides, as in 0:99,120,200:240/4")
         ->type_name("LIST")
         ->capture_default_str();
+    c->add_option("--vary", a->vary,
+                  "Rules by which each picture is another sample: cameras, people, light, haze and sensors (TOML, "
+                  "docs/labels.md). Frame k is sample k, a function of the rules, --seed and k")
+        ->type_name("RULES");
     c->add_option("--fps", a->fps, "Frames a second: frame k shows k / fps seconds, and flow reaches one frame")
         ->capture_default_str();
     std::string names;
@@ -149,7 +161,9 @@ void add_labels(CLI::App &app, Work &chosen)
     c->callback([a, &chosen] {
         read_scenario(a->setup);
         check_scene_usage(a->setup);
-        if (a->setup.camera.empty() && has_path(a->setup)) a->setup.camera = "path";
+        if (!a->vary.empty()) a->rules = labels::load_rules(a->vary);
+        const bool is_ruled = a->rules && a->rules->camera;
+        if (a->setup.camera.empty() && has_path(a->setup) && !is_ruled) a->setup.camera = "path";
         const std::string wrong = read_frames(a->frames, a->list);
         if (!wrong.empty()) throw CLI::ValidationError("--frames", wrong);
         if (!(a->fps > 0 && a->fps <= 1e6)) throw CLI::ValidationError("--fps", "must be above 0");
@@ -158,6 +172,8 @@ void add_labels(CLI::App &app, Work &chosen)
         } catch (const scenes::Failure &failure) {
             throw CLI::ValidationError("--write", failure.what());
         }
+        if (a->rules && labels::read_formats(a->write).count("mot") != 0)
+            throw CLI::ValidationError("--write", "mot is about the frames of a film, and --vary makes samples");
         chosen = [a] { label(*a); };
     });
 }

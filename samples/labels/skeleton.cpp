@@ -1,5 +1,6 @@
 #include "samples/labels/skeleton.h"
 
+#include <algorithm>
 #include <cctype>
 
 #include "samples/labels/face.h"
@@ -157,7 +158,11 @@ const Skeletons::Skeleton &Skeletons::of(const clq_template *tmpl)
     if (head != CLQ_NONE) {
         const RestPose rest(library_, tmpl);
         at_head = rest.node(head);
-        face = face_of({at_head[12], at_head[13], at_head[14]}, rest.vertices());
+        const std::vector<float> xyz = rest.vertices();
+        face = face_of({at_head[12], at_head[13], at_head[14]}, xyz);
+        double lowest = at_head[13];
+        for (size_t v = 1; v < xyz.size(); v += 3) lowest = std::min(lowest, static_cast<double>(xyz[v]));
+        made.head_up_m = at_head[13] + face.middle[1] - lowest;
         made.head = {head, in_frame(at_head, face.middle), 1.5 * face.radius_m};
     }
     const bool has_face = head != CLQ_NONE;

@@ -38,6 +38,7 @@ public:
     struct Skeleton {
         std::vector<Place> places;  // by keypoint
         Place head;
+        double head_up_m = 1.6;  // of the middle of the head above the lowest vertex, in the rest pose
     };
     const Skeleton &of(const clq_template *tmpl);
     const KeypointSet &set() const { return set_; }

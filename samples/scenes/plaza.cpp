@@ -30,6 +30,7 @@ public:
           walk_speed_(walk_speed(citizen_)),
           layout_(lay_out_plaza(crowd_options.count, crowd_options.seed, walk_speed_)),
           scene_crowd_(library, crowd_options),
+          light_(crowd_options.light.value_or(Daylight())),
           sky_(crowd_options.seed, Sky::Land::hills)
     {
         for (const Standing &s : layout_.standing) enter(s);

@@ -1,10 +1,12 @@
 // The individuals of a scene: their crowd, ids and transforms.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
+#include "samples/scenes/light.h"
 
 namespace scenes
 {
@@ -23,9 +25,10 @@ struct CrowdOptions {
     clq_vertex_format vertex_format = CLQ_VERTEX_FLOAT;
     clq_key_poses key_poses = clq_key_poses_init();
     Lod lod = Lod::off;
-    double hour = 0;           // of the day, for scenes whose light follows it; 0: the scene's own
-    bool exact_poses = false;  // all are posed in every frame, at the very time
-    float lod_scale = 1;       // multiplies every distance that selects levels of detail; 0: all at their finest
+    double hour = 0;                // of the day, for scenes whose light follows it; 0: the scene's own
+    std::optional<Daylight> light;  // of the plaza; none: the scene's own
+    bool exact_poses = false;       // all are posed in every frame, at the very time
+    float lod_scale = 1;            // multiplies every distance that selects levels of detail; 0: all at their finest
 };
 
 class SceneCrowd

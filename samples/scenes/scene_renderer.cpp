@@ -113,6 +113,7 @@ clq_prepared_info SceneRenderer::prepared(const clq_template *tmpl) const
 
 clq_camera SceneRenderer::camera_at(double time_s) const
 {
+    if (standing_) return *standing_;
     const double aspect = static_cast<double>(options_.width) / options_.height;
     if (!options_.viewpoint.empty()) return scene_->camera_from(options_.viewpoint, aspect, time_s);
     return options_.shot == Shot::path ? options_.path->camera(time_s, aspect)

@@ -96,6 +96,8 @@ public:
 
     // The camera at a time, and the individuals where they are then, for labels of other times; no list is made.
     clq_camera camera_at(double time_s) const;
+    // From now on shows what this camera sees, at any time; none: the camera of the options.
+    void look_from(const std::optional<clq_camera> &camera) { standing_ = camera; }
     void place(double time_s) { scene_->place(time_s); }
     clq_renderer *renderer() const { return renderer_; }
 
@@ -127,9 +129,10 @@ private:
     clq_renderer *renderer_ = nullptr;            // one of them
     clq_shadow_def shadows_ = {};                 // if they are claque's
     Eye eye_ = {};
-    std::optional<double> held_s_;  // the crowd's time, if it is not that of the camera
-    double moved_px_[2] = {0, 0};   // of the picture, right and up
-    int x0_ = 0, x1_ = 0;           // the columns that are drawn
+    std::optional<double> held_s_;        // the crowd's time, if it is not that of the camera
+    std::optional<clq_camera> standing_;  // in place of the options' camera
+    double moved_px_[2] = {0, 0};         // of the picture, right and up
+    int x0_ = 0, x1_ = 0;                 // the columns that are drawn
     std::vector<uint8_t> rgb_;
 };
 

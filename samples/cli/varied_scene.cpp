@@ -1,0 +1,209 @@
+// Samples that rules vary: each is a scene of its own.
+#include <algorithm>
+
+#include "samples/cli/label_scene.h"
+#include "samples/labels/variation/haze.h"
+#include "samples/labels/variation/jpeg.h"
+#include "samples/labels/variation/noise.h"
+#include "samples/labels/variation/standpoint.h"
+#include "samples/scenes/amphitheatre/sun.h"
+#include "samples/scenes/colours.h"
+
+namespace cli
+{
+namespace
+{
+
+using labels::Choice;
+using scenes::Failure;
+
+constexpr uint32_t most_attempts = 100;
+
+class VariedScene final : public LabelScene
+{
+public:
+    VariedScene(scenes::Library &library, const SceneArguments &arguments, const scenes::SceneOptions &options,
+                const labels::Wanted &wanted, double fps, const labels::Rules &rules)
+        : library_(library),
+          arguments_(arguments),
+          options_(options),
+          wanted_(wanted),
+          fps_(fps),
+          rules_(rules),
+          heads_(library, labels::keypoint_set(wanted.keypoint_set))
+    {
+        wanted_.keypoints = true;  // of the person at whom a camera looks
+        // The built-in odeon is a scenario that comes with claque.
+        if (arguments_.scene == "odeon")
+            arguments_.described = std::make_shared<const scenes::Scenario>(scenes::odeon_scenario());
+        check_rules();
+    }
+
+    LabelledPicture label(int number) override
+    {
+        const Choice choice = labels::choose(rules_, arguments_.seed, static_cast<uint32_t>(number), number / fps_);
+        scenes::SceneRenderer scene(library_, options_for(choice));
+        labels::Labeller labeller(library_, scene, wanted_);
+        LabelledPicture out;
+        out.choice = labels::choice_json(choice);
+        out.sample = rules_.camera ? look_at_a_person(scene, labeller, choice, number, out.choice)
+                                   : labeller.label(number, choice.time_s);
+        out.silhouette_pictures = labeller.silhouette_pictures();
+        blur(scene, choice, out.sample);
+        return out;
+    }
+
+private:
+    void check_rules() const;
+    scenes::SceneOptions options_for(const Choice &choice) const;
+    scenes::Daylight light_for(const Choice &choice, scenes::Daylight light) const;
+    labels::Sample look_at_a_person(scenes::SceneRenderer &scene, labels::Labeller &labeller, const Choice &choice,
+                                    int number, Json &chosen);
+    // What lies between the scene and the file.
+    static void blur(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample);
+    [[noreturn]] void refuse(const std::string &rule, const std::string &why) const
+    {
+        const auto place = rules_.places.find(rule);
+        throw Failure((place == rules_.places.end() ? rule : place->second) + ": the scene '" + scene_of(arguments_) +
+                      "' " + why);
+    }
+
+    scenes::Library &library_;
+    SceneArguments arguments_;
+    scenes::SceneOptions options_;
+    labels::Wanted wanted_;
+    double fps_;
+    labels::Rules rules_;
+    labels::Skeletons heads_;
+};
+
+void VariedScene::check_rules() const
+{
+    const scenes::Scenario *described = arguments_.described.get();
+    if (rules_.count && described && (described->tracks || described->stage))
+        refuse("people.count", "says itself how many people there are");
+    for (const auto &[name, share] : rules_.classes) {
+        std::string all;
+        bool known = false;
+        if (described)
+            for (const scenes::SocialClass &one : described->characters) {
+                known = known || one.name == name;
+                all += (all.empty() ? "" : ", ") + one.name;
+            }
+        if (!known)
+            refuse("people.classes." + name,
+                   all.empty() ? "has no classes of people" : "has no class '" + name + "'; there are " + all);
+    }
+    const std::string scene = scene_of(arguments_);
+    const bool lit = described || scene == "plaza";
+    for (const auto &[rule, has] :
+         {std::pair("light.sun", rules_.sun.has_value()), {"light.sky", rules_.sky.has_value()}})
+        if (has && !lit) refuse(rule, "has light of its own, which no rule changes");
+    if (rules_.hour && !lit && scene != "amphitheatre")
+        refuse("light.hour", "has light of its own, which no rule changes");
+    if (rules_.jpeg_quality && !labels::can_compress())
+        throw Failure(rules_.places.at("sensor.jpeg_quality") +
+                      ": this build cannot compress pictures: stb_image_write.h was not there");
+    if (rules_.camera && (!arguments_.camera.empty() || !arguments_.path.empty()))
+        throw Failure(rules_.places.at("camera") + ": a rule chooses the camera; leave out --camera and --path");
+}
+
+scenes::Daylight VariedScene::light_for(const Choice &choice, scenes::Daylight light) const
+{
+    if (choice.hour) light = scenes::amphitheatre::daylight_at(*choice.hour);
+    const float sun = static_cast<float>(choice.sun.value_or(1)), sky = static_cast<float>(choice.sky.value_or(1));
+    light.sun = {light.sun.r * sun, light.sun.g * sun, light.sun.b * sun};
+    light.sky = {light.sky.r * sky, light.sky.g * sky, light.sky.b * sky};
+    light.bounce = {light.bounce.r * sky, light.bounce.g * sky, light.bounce.b * sky};
+    return light;
+}
+
+scenes::SceneOptions VariedScene::options_for(const Choice &choice) const
+{
+    scenes::SceneOptions options = options_;
+    options.crowd_options.seed = choice.scene_seed;
+    if (choice.count) options.crowd_options.count = *choice.count;
+    else if (arguments_.described && arguments_.count == 0) options.crowd_options.count = 0;  // its classes' own
+    if (choice.hour) options.crowd_options.hour = *choice.hour;
+    const bool lit = choice.hour || choice.sun || choice.sky;
+    if (arguments_.described) {
+        scenes::Scenario shown = *arguments_.described;
+        for (const auto &[name, share] : choice.classes)
+            for (std::vector<scenes::SocialClass> *all :
+                 {&shown.characters, shown.theatre ? &shown.theatre->classes : nullptr})
+                if (all)
+                    for (scenes::SocialClass &one : *all)
+                        if (one.name == name) {
+                            one.share *= share;
+                            one.count = static_cast<uint32_t>(share * one.count + 0.5);
+                        }
+        if (lit) shown.light = light_for(choice, shown.light.value_or(scenes::Daylight()));
+        SceneArguments with = arguments_;
+        with.described = std::make_shared<const scenes::Scenario>(std::move(shown));
+        options.make = maker_of(with);
+    } else if (lit) {
+        options.crowd_options.light = light_for(choice, scenes::Daylight());
+    }
+    if (!choice.colours.empty())
+        options.make = [file = choice.colours, make = options.make, name = options.scene,
+                        character = options.character](scenes::Library &library,
+                                                       const scenes::CrowdOptions &crowd_options) {
+            std::unique_ptr<scenes::Scene> scene =
+                make ? make(library, crowd_options) : scenes::make_scene(name, library, crowd_options, character);
+            scenes::ColourFile(library, file).apply(*scene, crowd_options.seed);
+            return scene;
+        };
+    return options;
+}
+
+labels::Sample VariedScene::look_at_a_person(scenes::SceneRenderer &scene, labels::Labeller &labeller,
+                                             const Choice &choice, int number, Json &chosen)
+{
+    scene.place(choice.time_s);
+    const std::vector<labels::Head> heads = labels::heads_of(heads_, scene.scene(), choice.time_s);
+    const std::string sample = "sample " + std::to_string(number) + ": ";
+    if (heads.empty()) throw Failure(sample + "no individual has a head for a camera to look at");
+    const double aspect = static_cast<double>(options_.width) / options_.height;
+    std::string why_not;
+    for (uint32_t attempt = 0; attempt < most_attempts; ++attempt) {
+        const auto found = labels::stand(*rules_.camera, heads, choice, attempt, aspect, why_not);
+        if (!found) continue;
+        why_not = "scenery hides the person";
+        if (!labels::has_free_sight(scene, *found, choice.time_s)) continue;
+        scene.look_from(found->camera);
+        labels::Sample out = labeller.label(number, choice.time_s);
+        why_not = "the person is hidden or not there";
+        const auto person = std::find_if(out.people.begin(), out.people.end(),
+                                         [&](const auto &one) { return one.actor == found->person.actor; });
+        if (person == out.people.end() || person->head.seen != labels::Seen::visible) continue;
+        chosen["camera"] = labels::standpoint_json(*found);
+        return out;
+    }
+    throw Failure(sample + "none of " + std::to_string(most_attempts) + " cameras fits the rules; of the last one " +
+                  why_not);
+}
+
+void VariedScene::blur(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample)
+{
+    if (choice.visibility_m) {
+        scene.frame(choice.time_s);
+        std::vector<float> depth;
+        scene.offscreen().read_depth(depth);
+        labels::add_haze(sample.rgb, depth, sample.width, sample.height, sample.camera, *choice.visibility_m);
+    }
+    if (choice.read_noise || choice.shot_noise)
+        labels::add_noise(sample.rgb, choice.read_noise.value_or(0), choice.shot_noise.value_or(0), choice.seed,
+                          choice.sample);
+    if (choice.jpeg_quality) labels::compress(sample.rgb, sample.width, sample.height, *choice.jpeg_quality);
+}
+
+}  // namespace
+
+std::unique_ptr<LabelScene> varied_scene(scenes::Library &library, const SceneArguments &arguments,
+                                         const scenes::SceneOptions &options, const labels::Wanted &wanted, double fps,
+                                         const labels::Rules &rules)
+{
+    return std::make_unique<VariedScene>(library, arguments, options, wanted, fps, rules);
+}
+
+}  // namespace cli
