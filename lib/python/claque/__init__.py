@@ -12,6 +12,7 @@ from .labels import Sample, labels
 from .offscreen import Offscreen
 from .records import Record
 from .renderer import Renderer
+from .samples import VariedSample, samples
 from .scene import Scene
 from .stage import Agent, Stage
 from .template import Template
@@ -19,5 +20,5 @@ from .tracks import Locomotion, Track, Tracks, find_passings
 from .trajectories import Area, Trajectories
 
 __all__ = ["Actor", "Agent", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer",
-           "Sample", "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "View",
-           "find_passings", "labels", "library_paths"]
+           "Sample", "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "VariedSample",
+           "View", "find_passings", "labels", "library_paths", "samples"]

@@ -1,0 +1,93 @@
+"""Samples that rules vary (docs/labels.md), made by the command claque and read as NumPy arrays."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import tempfile
+import time
+
+import numpy
+
+from . import abi
+from .labels import Sample
+
+_ARRAYS = {"actors": "actor", "zones": "zone", "parts": "part", "depth_m": "depth_m", "normals": "normal",
+           "positions": "position", "forward": "flow_forward", "backward": "flow_backward"}
+
+
+class VariedSample(Sample):
+    """A Sample with what was chosen for it. Individuals, triangles and barycentric weights are left out.
+
+    number; choice: the dict of all that was chosen; people: a list of dicts with box, mask, joints and head of each;
+    camera: the dict of its intrinsics and pose."""
+
+    def __init__(self, number, about, arrays):
+        super().__init__(about["time_s"], arrays["rgb"])
+        self.number, self.choice = number, about["choice"]
+        self.people, self.camera = about["people"], about["camera"]
+        for name, stored in _ARRAYS.items():
+            array = arrays[stored]
+            if name in ("zones", "parts"):  # stored as one more, in 16 bits
+                array = numpy.where(array == 0, abi.NONE, array.astype(numpy.uint32) - 1).astype(numpy.uint32)
+            setattr(self, name, array)
+
+
+def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), options=(), command=None):
+    """Yields a VariedSample for each number, in their order; sample k is the same whichever others are asked for.
+
+    rules      the path of a file of rules
+    scene      the name of a scene; or scenario: the path of a scenario
+    options    more of the command's, as ("--fps", "10")
+    command    the command claque; None: CLAQUE_COMMAND, or the one of the path
+
+    The command works ahead in a folder for temporary files, which is gone when the loop ends. Raises claque.Error with
+    the command's sentence if it fails."""
+    numbers = [int(number) for number in numbers]
+    if not numbers:
+        return
+    program = command or os.environ.get("CLAQUE_COMMAND") or shutil.which("claque")
+    if not program:
+        raise abi.Error("the command claque is not there: install it, or say where it is in CLAQUE_COMMAND")
+    subject = ["--scenario", str(scenario)] if scenario else ["--scene", scene or "plaza"]
+    with tempfile.TemporaryDirectory(prefix="claque-") as folder:
+        arguments = [str(program), "labels", *subject, "--vary", str(rules), "--seed", str(seed),
+                     "--size", f"{size[0]}x{size[1]}", "--write", "npz", "--out", folder,
+                     "--frames", ",".join(map(str, sorted(set(numbers)))), *map(str, options)]
+        with open(os.path.join(folder, "errors"), "w+", encoding="utf-8") as errors:
+            with _started(arguments, errors) as process:
+                try:
+                    for at, number in enumerate(numbers):
+                        sample = _wait_for(process, pathlib.Path(folder), number, errors)
+                        if number not in numbers[at + 1:]:
+                            _remove(pathlib.Path(folder), number)
+                        yield sample
+                finally:
+                    if process.poll() is None:
+                        process.terminate()
+
+
+def _started(arguments, errors):
+    try:
+        return subprocess.Popen(arguments, stdout=subprocess.DEVNULL, stderr=errors)
+    except OSError as error:
+        raise abi.Error(f"{arguments[0]} could not be started: {error.strerror}") from error
+
+
+def _wait_for(process, folder, number, errors):
+    whole = folder / "frames" / f"{number:06}.json"
+    ended = False
+    while not whole.exists():
+        if ended:
+            errors.seek(0)
+            raise abi.Error(errors.read().strip() or f"the command claque ended with {process.returncode}")
+        ended = process.poll() is not None  # what it wrote last may be there now
+        time.sleep(0.005)
+    with numpy.load(folder / "arrays" / f"{number:06}.npz") as arrays:
+        return VariedSample(number, json.loads(whole.read_text()), {name: arrays[name] for name in arrays.files})
+
+
+def _remove(folder, number):
+    for name in (f"arrays/{number:06}.npz", f"images/{number:06}.png"):
+        (folder / name).unlink(missing_ok=True)
