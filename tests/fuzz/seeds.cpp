@@ -23,7 +23,7 @@ void add_descriptions(std::vector<Seed> &out)
     for (const char *name :
          {"maps/roman-classes.toml", "maps/cmu-people.toml", "maps/cmu-kaykit.toml", "scenes/odeon/odeon.toml",
           "scenes/odeon/path.toml", "scenes/town/path.toml", "scenarios/corner.toml", "scenarios/evacuation.toml",
-          "scenarios/market.toml", "scenarios/odeon-evening.toml"}) {
+          "scenarios/market.toml", "scenarios/odeon-evening.toml", "labels/variation/example.toml"}) {
         std::ifstream file(std::string(CLAQUE_SOURCE_DIR "/samples/") + name, std::ios::binary);
         Bytes bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
         EXPECT_FALSE(bytes.empty()) << name;

@@ -1,9 +1,11 @@
-// Every reader of TOML files reads every input: colour maps, camera paths, scenarios, tolerances, joint maps.
+// Every reader of TOML files reads every input: colour maps, camera paths, scenarios, tolerances, joint maps,
+// rules of samples.
 #include <cmath>
 
 #include "lib/asset/colour_file.h"
 #include "lib/base/error.h"
 #include "samples/cli/joint_map.h"
+#include "samples/labels/variation/rules.h"
 #include "samples/parity/tolerance.h"
 #include "samples/scenes/camera_path.h"
 #include "samples/scenes/check.h"
@@ -79,6 +81,24 @@ void play(const std::string &text)
     for (const scenes::SocialClass &one : scenario.characters) EXPECT_TRUE(std::isfinite(one.share));
 }
 
+// Every span has a beginning and an end.
+void choose(const std::string &text)
+{
+    const auto find = [](const std::string &) { return std::string(); };
+    const auto none = [](const std::string &, std::string &) { return std::string(); };
+    const labels::Rules rules = labels::read_rules(text, "rules.toml", {"", none, find});
+    const auto expect_span = [](const labels::Span &span) {
+        EXPECT_TRUE(std::isfinite(span.first) && std::isfinite(span.last) && span.first <= span.last);
+    };
+    for (const auto &span : {rules.time_s, rules.count, rules.hour, rules.sun, rules.sky, rules.visibility_m,
+                             rules.read_noise, rules.shot_noise, rules.jpeg_quality})
+        if (span) expect_span(*span);
+    for (const auto &[name, share] : rules.classes) expect_span(share);
+    if (rules.camera)
+        for (const labels::Span &span : {rules.camera->height_m, rules.camera->distance_m, rules.camera->fov_deg})
+            expect_span(span);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
@@ -88,6 +108,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     read([&] { fly(scenes::CameraPath(text, "path.toml")); });
     read([&] { play(text); });
     read([&] { parity::tolerance_from(text, "tolerance.toml"); });
+    read([&] { choose(text); });
     read([&] { cli::read_joint_map(text, "map.toml"); });
     return 0;
 }
