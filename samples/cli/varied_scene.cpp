@@ -95,7 +95,7 @@ void VariedScene::check_rules() const
                    all.empty() ? "has no classes of people" : "has no class '" + name + "'; there are " + all);
     }
     const std::string scene = scene_of(arguments_);
-    const bool lit = described || scene == "plaza";
+    const bool lit = described ? !described->town : scene == "plaza";
     for (const auto &[rule, has] :
          {std::pair("light.sun", rules_.sun.has_value()), {"light.sky", rules_.sky.has_value()}})
         if (has && !lit) refuse(rule, "has light of its own, which no rule changes");

@@ -242,6 +242,8 @@ TEST_F(VariedLabels, RefuseRulesThatASceneCannotFollow)
             "2:24: the scene 'plaza' has no classes of people");
     refused("[light]\nsun = 0.5", {"--scene", "vehicle"},
             "2:7: the scene 'vehicle' has light of its own, which no rule changes");
+    refused("[light]\nsky = 0.5", {"--scenario", std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/market.toml"},
+            "2:7: the scene 'market' has light of its own, which no rule changes");
     refused("[camera]\n", {"--scene", "plaza", "--camera", "close"},
             "1:1: a rule chooses the camera; leave out --camera and --path");
     refused("[camera]\nheight_m = [2, 1]", {"--scene", "plaza"}, "2:12: [camera] has 'height_m' = [2, 1]");
