@@ -19,6 +19,7 @@ namespace
 struct LabelArguments {
     SceneArguments setup;
     std::string frames = "0", out, write = "coco", keypoints = "coco", json, vary;
+    labels::KeypointSet keypoint_set;
     std::optional<labels::Rules> rules;  // of the file `vary`
     std::vector<int> list;
     int chunk = 0, chunk_count = 1;
@@ -40,7 +41,7 @@ labels::Wanted wanted_by(const LabelArguments &a, const std::set<std::string> &f
     wanted.flow = any({"flo", "kitti-flow", "npz", "sheet"});
     wanted.silhouettes = any({"mot", "sheet"});
     wanted.step_s = 1 / a.fps;
-    wanted.keypoint_set = a.keypoints;
+    wanted.keypoint_set = &a.keypoint_set;
     return wanted;
 }
 
@@ -57,7 +58,7 @@ labels::Json settings_of(const LabelArguments &a, const scenes::SceneOptions &op
 {
     labels::Json settings = {{"scene", scene_about(a.setup, options)},
                              {"fps", a.fps},
-                             {"keypoints", a.keypoints},
+                             {"keypoints", file_about(a.keypoints)},
                              {"write", labels::read_formats(a.write)}};
     if (a.rules) {
         settings["vary"] = file_about(a.vary);
@@ -72,7 +73,6 @@ void label(const LabelArguments &a)
     if (a.portable) use_portable_drivers();
     Progress progress("claque labels");
     const std::set<std::string> formats = labels::read_formats(a.write);
-    const labels::KeypointSet &keypoints = labels::keypoint_set(a.keypoints);
     scenes::Library library(thread_count(a.setup));
     const LoadedCharacter none;
     scenes::SceneOptions options = scene_options(a.setup, none);
@@ -110,7 +110,7 @@ void label(const LabelArguments &a)
     }
     // Files about all pictures need all of them.
     if (a.chunk_count == 1)
-        for (const labels::FrameFile &file : labels::collections(frames, formats, keypoints)) folder.write(file);
+        for (const labels::FrameFile &file : labels::collections(frames, formats, a.keypoint_set)) folder.write(file);
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(std::to_string(frames.size()) + " labelled pictures in " + a.out);
 }
@@ -142,8 +142,8 @@ void add_labels(CLI::App &app, Work &chosen)
     std::string names;
     for (const std::string &name : labels::format_names()) names += (names.empty() ? "" : ", ") + name;
     c->add_option("--write", a->write, "Formats, separated by commas: " + names)->capture_default_str();
-    c->add_option("--keypoints", a->keypoints, "Joints in the order of COCO (17) or SMPL (24)")
-        ->check(CLI::IsMember({"coco", "smpl"}))
+    c->add_option("--keypoints", a->keypoints, "coco (17 joints), smpl (24), or a file of your own (TOML)")
+        ->type_name("NAME|FILE")
         ->capture_default_str();
     c->add_option_function<std::string>(
          "--chunk",
@@ -161,6 +161,7 @@ void add_labels(CLI::App &app, Work &chosen)
     c->callback([a, &chosen] {
         read_scenario(a->setup);
         check_scene_usage(a->setup);
+        a->keypoint_set = labels::keypoint_set(a->keypoints);
         if (!a->vary.empty()) a->rules = labels::load_rules(a->vary);
         const bool is_ruled = a->rules && a->rules->camera;
         if (a->setup.camera.empty() && has_path(a->setup) && !is_ruled) a->setup.camera = "path";

@@ -30,7 +30,7 @@ public:
           wanted_(wanted),
           fps_(fps),
           rules_(rules),
-          heads_(library, labels::keypoint_set(wanted.keypoint_set))
+          heads_(library, *wanted.keypoint_set)
     {
         wanted_.keypoints = true;  // of the person at whom a camera looks
         // The built-in odeon is a scenario that comes with claque.

@@ -27,7 +27,7 @@ void flip(std::vector<Value> &values, int width, int height, size_t per_pixel)
 }  // namespace
 
 Labeller::Labeller(scenes::Library &library, scenes::SceneRenderer &scene, const Wanted &wanted)
-    : scene_(scene), wanted_(wanted), skeletons_(library, keypoint_set(wanted.keypoint_set))
+    : scene_(scene), wanted_(wanted), skeletons_(library, *wanted.keypoint_set)
 {
     const contexts::Offscreen &context = scene.offscreen();
     colour_mask_ = reinterpret_cast<decltype(colour_mask_)>(context.get_proc_address()(context.user(), "glColorMask"));

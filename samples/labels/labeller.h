@@ -14,7 +14,7 @@ struct Wanted {
     bool colours = true, zones = true, depth = true, normals = true, positions = false;
     bool flow = true, silhouettes = true, keypoints = true;
     double step_s = 0.04;  // of optical flow, forward and backward
-    std::string keypoint_set = "coco";
+    const KeypointSet *keypoint_set = &coco_keypoints();
 };
 
 class Labeller

@@ -1,33 +1,22 @@
-// Keypoints of people: the joints that the conventions of Mixamo, VRM, Quaternius, KayKit and claque's own characters
-// name, in the order of COCO or SMPL.
+// Where the keypoints of a set are on skeletons.
 #pragma once
 
 #include <claque/claque.h>
 
 #include <array>
 #include <map>
-#include <string>
 #include <vector>
 
+#include "samples/labels/keypoints.h"
 #include "samples/scenes/library.h"
 
 namespace labels
 {
 
-struct KeypointSet {
-    std::string name;
-    std::vector<std::string> names;
-    std::vector<std::array<int, 2>> edges;  // from 0
-};
-const KeypointSet &coco_keypoints();  // 17
-const KeypointSet &smpl_keypoints();  // 24
-// Throws scenes::Failure with the names that there are.
-const KeypointSet &keypoint_set(const std::string &name);
-
-// Where the keypoints of a set are on one template.
 class Skeletons
 {
 public:
+    // `set` must live as long.
     Skeletons(scenes::Library &library, const KeypointSet &set) : library_(library), set_(set) {}
 
     struct Place {

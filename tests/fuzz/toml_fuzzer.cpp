@@ -1,10 +1,11 @@
 // Every reader of TOML files reads every input: colour maps, camera paths, scenarios, tolerances, joint maps,
-// rules of samples.
+// rules of samples, keypoints.
 #include <cmath>
 
 #include "lib/asset/colour_file.h"
 #include "lib/base/error.h"
 #include "samples/cli/joint_map.h"
+#include "samples/labels/keypoints.h"
 #include "samples/labels/variation/rules.h"
 #include "samples/parity/tolerance.h"
 #include "samples/scenes/camera_path.h"
@@ -109,6 +110,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     read([&] { play(text); });
     read([&] { parity::tolerance_from(text, "tolerance.toml"); });
     read([&] { choose(text); });
+    read([&] { EXPECT_FALSE(labels::read_keypoints(text, "keypoints.toml").names.empty()); });
     read([&] { cli::read_joint_map(text, "map.toml"); });
     return 0;
 }

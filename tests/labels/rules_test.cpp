@@ -88,13 +88,14 @@ TEST(Rules, ThatAreAbsentLeaveTheSceneAsItIs)
 TEST(Rules, ThatAreWrongAreRefusedAtTheirPlace)
 {
     const std::vector<std::pair<const char *, const char *>> wrong = {
-        {"time_s = [3, 1]", "r.toml:1:10: the rules has 'time_s' = [3, 1], whose last is below its first"},
+        {"time_s = [3, 1]", "r.toml:1:10: the file of rules has 'time_s' = [3, 1], whose last is below its first"},
         {"[light]\nhour = 4", "r.toml:2:8: [light] has 'hour' = 4, which is not within 5.5 to 18.5"},
         {"[light]\nhour = [6, 7, 8]", "r.toml:2:8: [light] has 'hour' of 3 numbers; it needs one, or [first, last]"},
         {"[light]\nhour = []", "r.toml:2:8: [light] has 'hour' of 0 numbers"},
         {"[light]\nhour = nan", "r.toml:2:8: [light] has 'hour' = nan, which is not finite"},
         {"[light]\nhour = \"noon\"", "r.toml:2:8: [light] has 'hour' = a string instead of a number"},
-        {"[lights]\nhour = 6", "the rules has an unknown key 'lights'; there are: camera, haze, light, people, sensor"},
+        {"[lights]\nhour = 6",
+         "the file of rules has an unknown key 'lights'; there are: camera, haze, light, people, sensor"},
         {"[camera]\nfov = 6", "[camera] has an unknown key 'fov'"},
         {"[people]\ncolours = [\"gone.toml\"]",
          "r.toml:2:11: [people] names a file in 'colours' that is not there: maps/gone.toml could not be opened"},

@@ -83,6 +83,41 @@ TEST(Keypoints, OfFacesAreWhereTheFacesArePainted)
     }
 }
 
+TEST(Keypoints, OfAFileAreAtTheirJointsAndNodesWithTheirOffsets)
+{
+    const labels::KeypointSet set = labels::read_keypoints(R"(name = "own"
+[[points]]
+name = "elbow"
+joint = "left_elbow"
+[[points]]
+name = "beside"
+joint = "left_elbow"
+offset_m = [0.1, 0.2, -0.3]
+[[points]]
+name = "glasses"
+joint = "left_eye"
+offset_m = [0, 0, 0.05]
+[[points]]
+name = "hip"
+nodes = ["no such node", "thigh_r", "thigh_l"]
+[[points]]
+name = "wing"
+nodes = ["no such node"]
+)",
+                                                           "k.toml");
+    scenes::Library library(1);
+    const auto at = rest_points(library, library.builtin("patrician"), set);
+    const auto coco = rest_points(library, library.builtin("patrician"), labels::coco_keypoints());
+    EXPECT_EQ(at.count("wing"), 0u);
+    EXPECT_EQ(at.at("elbow"), coco.at("left_elbow"));
+    const double offset[3] = {0.1, 0.2, -0.3};
+    for (size_t k = 0; k < 3; ++k) {
+        EXPECT_NEAR(at.at("beside")[k], coco.at("left_elbow")[k] + offset[k], 1e-6);
+        EXPECT_NEAR(at.at("glasses")[k], coco.at("left_eye")[k] + (k == 2 ? 0.05 : 0), 1e-6);
+        EXPECT_NEAR(at.at("hip")[k], coco.at("right_hip")[k], 1e-6);
+    }
+}
+
 TEST(Keypoints, OfAnOwlAreAbsentOrItsOwn)
 {
     scenes::Library library(1);
@@ -124,7 +159,7 @@ TEST(KeypointSets, HaveTheNumbersOfTheirPublications)
         labels::keypoint_set("openpose");
         FAIL();
     } catch (const scenes::Failure &failure) {
-        EXPECT_STREQ(failure.what(), "there are no keypoints 'openpose'; there are coco and smpl");
+        EXPECT_STREQ(failure.what(), "there are no keypoints 'openpose'; there are coco, smpl, and files of your own");
     }
 }
 

@@ -115,7 +115,7 @@ Rules read_rules(const std::string &text, const std::string &where, const scenes
 {
     const toml::table table = scenes::parse_toml(text, where);
     Rules rules;
-    Section all(TomlTable(table, where, "the rules"), "", rules);
+    Section all(TomlTable(table, where, "the file of rules"), "", rules);
     all.take("time_s", {0, 1e6}, rules.time_s);
     if (all.table().has("people")) read_people(all.table(), files, rules);
     if (all.table().has("camera")) read_camera(all.table(), rules);
