@@ -3,7 +3,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <unistd.h>
 
+#include "samples/parity/capture.h"
+#include "tests/fuzz/files.h"
+#include "tests/fuzz/parity_files.h"
 #include "tests/fuzz/seeds.h"
 
 #define CLAQUE_FUZZER(name) extern "C" int fuzz_##name(const uint8_t *bytes, size_t size);
@@ -62,6 +66,23 @@ TEST_P(Corpus, EverySeedKeepsTheLaws)
 
 INSTANTIATE_TEST_SUITE_P(Fuzzers, Corpus, testing::ValuesIn(fuzzers),
                          [](const auto &info) { return std::string(info.param.name); });
+
+// A seed that is refused at once would leave most of the reader untried.
+TEST(Seeds, OfAParityFolderAreReadWhole)
+{
+    const fs::path folder = fs::temp_directory_path() / ("claque-seed-parity-" + std::to_string(getpid()));
+    fs::create_directories(folder);
+    for (const fuzzing::Seed &seed : fuzzing::seeds()) {
+        if (seed.fuzzer != "parity" || seed.name != "whole") continue;
+        for (const auto &[number, bytes] : fuzzing::files_of(seed.bytes.data(), seed.bytes.size()))
+            std::ofstream(folder / fuzzing::parity_files[number], std::ios::binary)
+                .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    const parity::Capture read = parity::read_capture(folder.string());
+    EXPECT_EQ(read.actors.value().size(), 2u);
+    EXPECT_TRUE(read.positions && read.normals && read.colour && read.depth && read.actor && read.zone);
+    fs::remove_all(folder);
+}
 
 TEST(Corpora, AreSmallAndEachHasItsFuzzer)
 {

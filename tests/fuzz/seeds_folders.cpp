@@ -11,7 +11,8 @@ namespace
 
 const char capture[] =
     "{\"format\":\"claque-parity\",\"version\":1,\"kind\":\"result\",\"renderer\":\"a test\",\"scene\":{\"name\":"
-    "\"two\"},\"width\":4,\"height\":3,\"time_s\":1.5,\"actor_columns\":[\"actor\",\"mesh\",\"first_vertex\","
+    "\"two\"},\"width\":4,\"height\":3,\"time_s\":1.5,\"actors\":2,\"vertices\":6,"
+    "\"actor_columns\":[\"actor\",\"mesh\",\"first_vertex\","
     "\"vertex_count\"],\"templates\":[{\"name\":\"man\",\"zones\":[\"skin\",\"tunic\"]}],\"meshes\":[{\"template\":0,"
     "\"level\":2,\"vertices\":3,\"triangles\":1}]}";
 
