@@ -151,7 +151,8 @@ void add_labels(CLI::App &app, Work &chosen)
              const std::string wrong = read_share(text, a->chunk, a->chunk_count);
              if (!wrong.empty()) throw CLI::ValidationError("--chunk", wrong);
          },
-         "Only share K of N of the pictures: one job of an array. A run without it makes the files about all of them")
+         "Only share K of N of the pictures, from 0/N to N-1/N: one job of an array. A run without it makes the files "
+         "about all pictures")
         ->type_name("K/N");
     c->add_flag("--again", a->again, "Label finished pictures again");
     c->add_flag("--portable", a->portable,

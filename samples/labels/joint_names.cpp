@@ -9,8 +9,8 @@ namespace labels
 namespace
 {
 
-// Candidates for the name of a joint, without prefixes, separators and case; "*" stands for the side's letter, "@" for
-// its word.
+// Names that joints may have, in lower case and without prefixes and separators. "*" is the letter of the side, "@" its
+// word.
 const std::map<std::string, std::vector<std::string>> &joints()
 {
     static const std::map<std::string, std::vector<std::string>> all = {

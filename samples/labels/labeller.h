@@ -31,8 +31,9 @@ private:
     void read_numbers(std::vector<uint32_t> &numbers, const uint8_t *drawn);
     void take_channels(Sample &out);
     void take_people(Sample &out);
-    void take_box(uint32_t index, const clq_drawn_actor &drawn, const Sample &sample, Person &out);
-    void take_keypoints(const clq_drawn_actor &drawn, const Sample &sample, Person &out);
+    void take_box(uint32_t index, const clq_drawn_actor &drawn, const clq_transform &root, const Sample &sample,
+                  Person &out);
+    void take_keypoints(const clq_drawn_actor &drawn, const clq_transform &root, const Sample &sample, Person &out);
     Keypoint keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double below_m,
                          const Sample &sample) const;
     void measure_silhouettes(Sample &out);

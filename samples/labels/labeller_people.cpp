@@ -24,8 +24,10 @@ void Labeller::take_people(Sample &out)
         clq_template_info info = clq_template_info_init();
         check(clq_template_get_info(drawn.tmpl, &info));
         person.character = info.name;
-        take_box(i, drawn, out, person);
-        if (wanted_.keypoints) take_keypoints(drawn, out, person);
+        clq_actor_info actor = clq_actor_info_init();
+        check(clq_actor_get_info(scene_.scene().crowd(), drawn.actor, &actor));
+        take_box(i, drawn, actor.root, out, person);
+        if (wanted_.keypoints) take_keypoints(drawn, actor.root, out, person);
         found.emplace_back(i, std::move(person));
     }
     std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.second.actor < b.second.actor; });
@@ -46,7 +48,8 @@ void Labeller::take_people(Sample &out)
     }
 }
 
-void Labeller::take_box(uint32_t index, const clq_drawn_actor &drawn, const Sample &sample, Person &out)
+void Labeller::take_box(uint32_t index, const clq_drawn_actor &drawn, const clq_transform &root, const Sample &sample,
+                        Person &out)
 {
     std::vector<float> xyz(3 * static_cast<size_t>(drawn.vertex_count));
     check(clq_view_get_vertices(scene_.view(), index, xyz.data(), nullptr, drawn.vertex_count));
@@ -74,13 +77,11 @@ void Labeller::take_box(uint32_t index, const clq_drawn_actor &drawn, const Samp
     }
     if (beyond) box = {0, 0, static_cast<double>(sample.width), static_cast<double>(sample.height)};
     out.whole = box;
-    clq_actor_info info = clq_actor_info_init();
-    check(clq_actor_get_info(scene_.scene().crowd(), drawn.actor, &info));
-    const double scale = std::fabs(static_cast<double>(info.root.scale));
+    const double scale = std::fabs(static_cast<double>(root.scale));
     for (size_t k = 0; k < 3; ++k) out.size_m[k] = scale * (high[k] - low[k]);
     out.centre =
         from_eye(sample.camera, in_eye({(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2}));
-    for (size_t k = 0; k < 4; ++k) out.rotation_xyzw[k] = static_cast<double>(info.root.orientation_xyzw[k]);
+    for (size_t k = 0; k < 4; ++k) out.rotation_xyzw[k] = static_cast<double>(root.orientation_xyzw[k]);
 }
 
 Keypoint Labeller::keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Place &place, double below_m,
@@ -105,12 +106,11 @@ Keypoint Labeller::keypoint_at(const clq_drawn_actor &drawn, const Skeletons::Pl
     return out;
 }
 
-void Labeller::take_keypoints(const clq_drawn_actor &drawn, const Sample &sample, Person &out)
+void Labeller::take_keypoints(const clq_drawn_actor &drawn, const clq_transform &root, const Sample &sample,
+                              Person &out)
 {
     const Skeletons::Skeleton &skeleton = skeletons_.of(drawn.tmpl);
-    clq_actor_info info = clq_actor_info_init();
-    check(clq_actor_get_info(scene_.scene().crowd(), drawn.actor, &info));
-    const double scale = std::fabs(static_cast<double>(info.root.scale));
+    const double scale = std::fabs(static_cast<double>(root.scale));
     for (const Skeletons::Place &place : skeleton.places)
         out.keypoints.push_back(keypoint_at(drawn, place, scale * place.below_m, sample));
     out.head = keypoint_at(drawn, skeleton.head, scale * skeleton.head.below_m, sample);

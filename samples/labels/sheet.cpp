@@ -5,32 +5,22 @@
 #include <map>
 
 #include "samples/io/png.h"
+#include "samples/scenes/zone_inks.h"
 
 namespace labels
 {
 namespace
 {
 
-using Rgb = std::array<uint8_t, 3>;
+using Rgb = scenes::Ink;
 
 uint8_t byte_of(double value) { return static_cast<uint8_t>(std::clamp(255 * value + 0.5, 0.0, 255.0)); }
-
-// A full colour of this hue, [0, 1).
-Rgb hue(double at, double saturation, double brightness)
-{
-    Rgb out;
-    for (size_t k = 0; k < 3; ++k) {
-        const double away = std::abs(std::fmod(6 * (at - std::floor(at)) - 2 * static_cast<double>(k) + 9, 6.0) - 3);
-        out[k] = byte_of(brightness * (1 - saturation * (1 - std::clamp(2 - away, 0.0, 1.0))));
-    }
-    return out;
-}
 
 Rgb of_number(uint32_t number)
 {
     if (number == 0) return {24, 24, 24};
     const double turn = 0.6180339887498949 * number;
-    return hue(turn, number % 2 == 0 ? 0.75 : 0.55, number % 3 == 0 ? 0.7 : 0.95);
+    return scenes::ink_of(turn, number % 2 == 0 ? 0.75 : 0.55, number % 3 == 0 ? 0.7 : 0.95);
 }
 
 class Sheet
@@ -115,11 +105,12 @@ std::vector<unsigned char> sheet(const Sample &s)
     out.fill(1, 1, [&](size_t i) -> Rgb {
         if (s.forward.empty() || std::isnan(s.forward[2 * i])) return nothing;
         const double u = static_cast<double>(s.forward[2 * i]), v = static_cast<double>(s.forward[2 * i + 1]);
-        return hue(std::atan2(-v, u) / 6.283185307179586 + 1, std::sqrt(std::hypot(u, v) / fastest), 1);
+        return scenes::ink_of(std::atan2(-v, u) / 6.283185307179586 + 1, std::sqrt(std::hypot(u, v) / fastest), 1);
     });
     std::map<uint32_t, double> share;
     for (const Person &person : s.people) share[person.actor] = person.visibility();
-    out.fill(2, 1, [&](size_t i) { return s.actor[i] == 0 ? nothing : hue(share[s.actor[i]] / 3, 0.8, 0.95); });
+    out.fill(2, 1,
+             [&](size_t i) { return s.actor[i] == 0 ? nothing : scenes::ink_of(share[s.actor[i]] / 3, 0.8, 0.95); });
     out.fill(3, 1, [&](size_t i) -> Rgb {
         Rgb dim = colour(i);
         for (uint8_t &c : dim) c = static_cast<uint8_t>(c / 2);
