@@ -46,7 +46,7 @@ const { scene, result, driver, times, break: mistake, three } = given();
 const folders = { '': join(here, 'page'), three: join(three, 'build'), scene };
 let server, browser;
 try {
-    server = await serve(folders, result, broken(mistake));
+    server = await serve(folders, result, broken(mistake, folders['']));
     browser = await Browser.open(driver);
     await browser.send('Page.navigate', { url: `${server.address}?times=${times}` });
     await browser.until(server.complete, seconds);

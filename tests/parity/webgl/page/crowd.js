@@ -1,6 +1,6 @@
-// The individuals of a scene as objects of three.js, one draw a material of each.
+// The individuals of a scene as objects of three.js, one draw for each group of a mesh.
 import * as three from 'three';
-import { knotsOf, lightUniforms } from './light.js';
+import { lightUniforms } from './light.js';
 import { fogOf, fragmentText, vertexFragmentText, vertexText } from './shaders.js';
 import { atlasOf, rowsOf, textureOf, width } from './textures.js';
 
@@ -23,7 +23,12 @@ function geometryOf(mesh) {
 function trianglesOf(mesh) {
     const geometry = geometryOf(mesh);
     geometry.setIndex(new three.BufferAttribute(mesh.indices, 1));
-    mesh.groups.forEach(({ start, count }, i) => geometry.addGroup(start, count, i));
+    let start = 0;
+    mesh.groups.forEach(({ lists }, i) => {
+        const count = lists.reduce((sum, list) => sum + list.length, 0);
+        geometry.addGroup(start, count, i);
+        start += count;
+    });
     return geometry;
 }
 
@@ -33,7 +38,6 @@ export class Crowd {
         this.scene = scene;
         this.width = width;
         this.textures = scene.textures.map(textureOf);
-        this.knots = knotsOf(lighting);
         this.shared = {
             palettes: { value: rowsOf(palettes) }, atlas: { value: atlasOf(atlas) }, ...lightUniforms(lighting),
             fogColour: { value: fog?.colour ?? [0, 0, 0] }, fogDensity: { value: fog?.density ?? 0 },
@@ -49,7 +53,7 @@ export class Crowd {
         const mesh = this.scene.meshes[index], { lighting } = this.scene.json;
         const defines = {
             SETS: mesh.sets, TARGETS: mesh.targets, VERTEX_COUNT: mesh.vertices, WIDTH: width,
-            LIGHTS: lighting.lights.length, KNOTS: this.knots.count, KNOT_STEP: this.knots.step.toFixed(9), ...more,
+            LIGHTS: lighting.lights.length, ...more,
         };
         if (mesh.attributes.COLOR_0) defines.COLOURS = 1;
         if (mesh.inverse) defines.NORMALS_BY_INVERSE = 1;
@@ -63,16 +67,17 @@ export class Crowd {
         });
     }
 
-    // The materials of a mesh, a glTF material each.
+    // The materials of a mesh, one for each of its groups.
     materials(index) {
         this.meshes[index].materials ??= this.scene.meshes[index].groups.map((group) => {
-            const { texture, doubleSided, holes } = this.scene.materials[group.material], { fog } = this.scene.json;
-            const more = {};
+            const { texture, doubleSided } = this.scene.materials[group.material], { fog } = this.scene.json;
+            const more = { ZONES: group.zones.length };
             if (doubleSided) more.DOUBLE_SIDED = 1;
-            if (holes) more.HOLES = 1;
             if (fog) more.FOG = fogOf[fog.mode];
-            const uniforms = { texels: { value: this.textures[texture] }, row: { value: 0 }, actor: { value: 0 } };
-            const material = this.material(index, more, uniforms, fragmentText);
+            const material = this.material(index, more, {
+                texels: { value: this.textures[texture] }, keys: { value: group.zones.map((zone) => zone + 1) },
+                row: { value: 0 }, actor: { value: 0 },
+            }, fragmentText);
             material.side = doubleSided ? three.DoubleSide : three.FrontSide;
             return material;
         });

@@ -35,21 +35,32 @@ async function textureOf(glb, { source, sampler }) {
     return { image: await createImageBitmap(png, bits), ...glb.json.samplers[sampler] };
 }
 
+// Zones whose colours one draw passes on. WebGL 2 has at least 15 varyings; both sides of a zone take two.
+const mostZones = 6;
+
+// What is drawn at once: primitives in their order, as long as they are of one material and show few zones. One that
+// shows more is drawn several times, each time without the fragments of other zones.
+function groupsOf(glb, primitives) {
+    const groups = [];
+    for (const { material, indices, extras } of primitives) {
+        const list = glb.accessor(indices), zones = extras.zones ?? [extras.zone], last = groups.at(-1);
+        const union = [...new Set([...last?.zones ?? [], ...zones])];
+        if (last?.material === material && union.length <= mostZones) {
+            last.zones = union;
+            last.lists.push(list);
+        } else for (let first = 0; first < zones.length; first += mostZones)
+            groups.push({ material, zones: zones.slice(first, first + mostZones), lists: [list] });
+    }
+    return groups;
+}
+
 function meshOf(glb, { primitives, extras }) {
-    const first = primitives[0], mesh = { attributes: {}, sets: 0, groups: [], targets: 0 };
+    const first = primitives[0], mesh = { attributes: {}, sets: 0, targets: 0 };
     for (const [name, index] of Object.entries(first.attributes)) mesh.attributes[name] = glb.accessor(index);
     while (mesh.attributes[`JOINTS_${mesh.sets}`]) ++mesh.sets;
     mesh.vertices = mesh.attributes.POSITION.length / 3;
-    const lists = primitives.map((primitive) => glb.accessor(primitive.indices));
-    mesh.indices = new Uint32Array(lists.reduce((sum, list) => sum + list.length, 0));
-    let start = 0;
-    lists.forEach((list, i) => {
-        const material = primitives[i].material, last = mesh.groups.at(-1);
-        if (last?.material === material) last.count += list.length;
-        else mesh.groups.push({ material, start, count: list.length });
-        mesh.indices.set(list, start);
-        start += list.length;
-    });
+    mesh.groups = groupsOf(glb, primitives);
+    mesh.indices = Uint32Array.from(mesh.groups.flatMap((group) => group.lists.flatMap((list) => [...list])));
     mesh.targets = first.targets?.length ?? 0;
     mesh.weights = extras?.morph_weights ?? [];
     // Two texels of four floats for each vertex of each target: what it adds to the position and to the normal.
@@ -68,7 +79,6 @@ export async function readGlb(buffer) {
         materials: glb.json.materials.map((material) => ({
             texture: material.pbrMetallicRoughness.baseColorTexture.index,
             doubleSided: material.doubleSided ?? false,
-            holes: material.alphaMode === 'MASK',
         })),
         meshes: glb.json.meshes.map((mesh) => meshOf(glb, mesh)),
     };

@@ -1,9 +1,13 @@
 // The shaders. Defines say what a mesh and its material need, so that one text serves all.
+//
+// OpenGL 1.1 limits light times colour to 1 at vertices, before it interpolates. Which zone's colour a pixel shows is
+// known there only. So the vertex shader looks up the colours of all zones that its draw may show, and passes on each.
 
 export const vertexText = `
 precision highp float;
 precision highp int;
 precision highp sampler2D;
+precision highp sampler2DArray;
 in vec3 position, normal;
 in vec2 uv;
 #ifdef COLOURS
@@ -33,9 +37,12 @@ uniform vec3 lightAmbient[LIGHTS], lightDiffuse[LIGHTS], lightAttenuation[LIGHTS
 uniform int firstVertex;
 flat out vec3 skinnedPosition, skinnedNormal;
 #else
-out vec3 front[KNOTS];
+uniform sampler2DArray atlas;
+uniform int row;          // of the individual, in the atlas
+uniform int keys[ZONES];  // that this draw shows
+out vec3 front[ZONES];    // the colour of the vertex in each of these zones
 #ifdef DOUBLE_SIDED
-out vec3 behind[KNOTS];
+out vec3 behind[ZONES];
 #endif
 out vec2 at;
 out float distanceToEye;
@@ -108,8 +115,6 @@ vec3 lightOf(vec3 n, vec3 eye)
 #endif
 }
 
-float limit(int knot) { return knot == KNOTS - 1 ? 1.0e6 : 1.0 + float(knot) * KNOT_STEP; }
-
 void main()
 {
     vec3 place, n;
@@ -130,12 +135,14 @@ void main()
 #else
     vec3 own = vec3(1.0);
 #endif
-    vec3 light = own * lightOf(n, eye.xyz);
-    for (int k = 0; k < KNOTS; ++k) front[k] = min(light, limit(k));
+    vec3 light = own * lightOf(n, eye.xyz), lightBehind = own * lightOf(-n, eye.xyz);
+    for (int k = 0; k < ZONES; ++k) {
+        vec3 zone = texelFetch(atlas, ivec3(keys[k], row % 1024, row / 1024), 0).rgb;
+        front[k] = min(zone * light, 1.0);
 #ifdef DOUBLE_SIDED
-    light = own * lightOf(-n, eye.xyz);
-    for (int k = 0; k < KNOTS; ++k) behind[k] = min(light, limit(k));
+        behind[k] = min(zone * lightBehind, 1.0);
 #endif
+    }
     at = uv;
     distanceToEye = -eye.z;
 #endif
@@ -145,44 +152,33 @@ void main()
 export const fragmentText = `
 precision highp float;
 precision highp int;
-precision highp sampler2DArray;
 uniform sampler2D texels;
-uniform sampler2DArray atlas;
-uniform int row;  // of the individual, in the atlas
+uniform int keys[ZONES];
 uniform float actor;
 uniform vec3 fogColour;
 uniform float fogDensity, fogStart, fogEnd;
-in vec3 front[KNOTS];
+in vec3 front[ZONES];
 #ifdef DOUBLE_SIDED
-in vec3 behind[KNOTS];
+in vec3 behind[ZONES];
 #endif
 in vec2 at;
 in float distanceToEye;
 layout(location = 0) out vec4 pixel;
 layout(location = 1) out vec4 facts;  // depth, actor, zone + 1
 
-// The light, limited at the vertices so that light times this colour is at most 1.
-vec3 limited(vec3 zone, vec3 light[KNOTS])
-{
-    vec3 sum = light[0], place = (1.0 / max(zone, 0.001) - 1.0) / KNOT_STEP;
-    for (int k = 1; k < KNOTS; ++k) sum += clamp(place - float(k - 1), 0.0, 1.0) * (light[k] - light[k - 1]);
-    return sum;
-}
-
 void main()
 {
     vec4 texel = texture(texels, at);
     int key = int(texel.a * 255.0 + 0.5);
-#ifdef HOLES
-    if (key == 0) discard;
-#endif
-    vec3 zone = texelFetch(atlas, ivec3(key, row % 1024, row / 1024), 0).rgb;
+    vec3 colour = vec3(-1.0);
+    for (int k = 0; k < ZONES; ++k)
 #ifdef DOUBLE_SIDED
-    vec3 light = gl_FrontFacing ? limited(zone, front) : limited(zone, behind);
+        if (key == keys[k]) colour = gl_FrontFacing ? front[k] : behind[k];
 #else
-    vec3 light = limited(zone, front);
+        if (key == keys[k]) colour = front[k];
 #endif
-    vec3 colour = min(zone * light, 1.0) * texel.rgb;
+    if (colour.r < 0.0) discard;  // a hole, whose key is 0, or a zone of another draw
+    colour *= texel.rgb;
 #ifdef FOG
     colour = mix(fogColour, colour, clamp(FOG, 0.0, 1.0));
 #endif
