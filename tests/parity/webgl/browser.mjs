@@ -44,11 +44,20 @@ export class Browser {
     // One page, ready to be led.
     static async open(driver) {
         const browser = new Browser(driver);
-        const { targetId } = await browser.send('Target.createTarget', { url: 'about:blank' });
-        const { sessionId } = await browser.send('Target.attachToTarget', { targetId, flatten: true });
-        browser.session = sessionId;
-        for (const domain of ['Runtime', 'Log', 'Page', 'Inspector']) await browser.send(`${domain}.enable`);
+        try {
+            await browser.until(browser.begin(), 60);
+        } catch (error) {
+            await browser.close();
+            throw error;
+        }
         return browser;
+    }
+
+    async begin() {
+        const { targetId } = await this.send('Target.createTarget', { url: 'about:blank' });
+        const { sessionId } = await this.send('Target.attachToTarget', { targetId, flatten: true });
+        this.session = sessionId;
+        for (const domain of ['Runtime', 'Log', 'Page', 'Inspector']) await this.send(`${domain}.enable`);
     }
 
     constructor(driver) {
