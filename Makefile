@@ -7,7 +7,7 @@ PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak \
     bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 test-arm64 test-mingw \
-    test-nehalem test-machines test-webgl coverage check format clean
+    test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -30,6 +30,7 @@ help:
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
 	@echo "make test-machines  all four, with one table at the end"
 	@echo "make test-webgl  a WebGL renderer (three.js in Chromium) against the CPU path, with one table at the end (needs chromium, nodejs, npm)"
+	@echo "make test-gl    zone law, guard and pictures on every OpenGL that is installed, with one table (MESA=FOLDER: others too)"
 	@echo "make coverage   lines and branches of the library that its tests run, held to 95 % and 90 % (needs gcovr)"
 
 setup:
@@ -185,6 +186,10 @@ test-machines: build
 # A WebGL renderer written from docs/parity.md, in Chromium (tests/parity/webgl). CASES='odeon plaza': some.
 test-webgl: command
 	@tests/parity/webgl/test.py $(CLAQUE) build/webgl out/webgl $(CASES)
+
+# Each implementation of OpenGL that is here, and those of the unpacked packages in the folders of MESA (tests/drivers).
+test-gl: build
+	@tests/drivers/run.py --build $(BUILD) $(if $(MESA),--mesa $(MESA)) $(DRIVERS)
 
 # Lines and branches of the library that its tests run, folder by folder.
 coverage:

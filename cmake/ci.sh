@@ -1,7 +1,8 @@
 #!/bin/sh
 # ci.sh BUILD JOBS: builds the benchmarks, runs every test of BUILD, then those labelled `bytes` in a build with
 # AddressSanitizer and UBSan, runs each fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants
-# (tests/mutants), and ends with one summary of the tests: N passed, N failed, N skipped.
+# (tests/mutants), tries the three quickest implementations of OpenGL (tests/drivers), and ends with one summary of the
+# tests: N passed, N failed, N skipped.
 set -eu
 build=$1
 jobs=$2
@@ -9,6 +10,7 @@ mkdir -p out
 failed=0
 cmake --build "$build" -j "$jobs" --target claque_benchmarks  # which must go on compiling
 ctest --test-dir "$build" -j "$jobs" --output-on-failure --output-log out/ci-tests.log || failed=1
+tests/drivers/run.py --build "$build" llvmpipe-256 llvmpipe-128 glx > out/ci-drivers.log 2>&1 || { failed=1; cat out/ci-drivers.log; }
 cmake --preset asan > build/asan.log 2>&1 || { cat build/asan.log; exit 1; }
 cmake --build --preset asan -j "$jobs" --target claque_bytes_tests
 ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on-failure --output-log out/ci-sanitizers.log || failed=1

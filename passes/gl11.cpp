@@ -36,6 +36,7 @@ void load_queries_and_stacks(Loader &want, Gl11 &t)
     want(t.GetString, "glGetString");
     want(t.GetIntegerv, "glGetIntegerv");
     want(t.GetDoublev, "glGetDoublev");
+    want(t.GetPointerv, "glGetPointerv");
     want(t.IsEnabled, "glIsEnabled");
     want(t.PushAttrib, "glPushAttrib");
     want(t.PopAttrib, "glPopAttrib");

@@ -68,6 +68,8 @@ constexpr Enum blue_scale = 0x0D1A, blue_bias = 0x0D1B, alpha_scale = 0x0D1C, al
 
 constexpr Enum vertex_array = 0x8074, normal_array = 0x8075, colour_array = 0x8076, index_array = 0x8077;
 constexpr Enum texture_coord_array = 0x8078, edge_flag_array = 0x8079;
+constexpr Enum vertex_array_size = 0x807A, vertex_array_type = 0x807B, vertex_array_stride = 0x807C;
+constexpr Enum vertex_array_pointer = 0x808E;
 
 constexpr Bits current_bit = 0x1, polygon_bit = 0x8, pixel_mode_bit = 0x20, lighting_bit = 0x40;
 constexpr Bits depth_buffer_bit = 0x100, stencil_buffer_bit = 0x400, enable_bit = 0x2000, colour_buffer_bit = 0x4000,
@@ -84,6 +86,7 @@ struct Gl11 {
     const uint8_t *(CLAQUE_GL_CALL *GetString)(Enum name) = nullptr;
     void(CLAQUE_GL_CALL *GetIntegerv)(Enum name, int32_t *out) = nullptr;
     void(CLAQUE_GL_CALL *GetDoublev)(Enum name, double *out) = nullptr;
+    void(CLAQUE_GL_CALL *GetPointerv)(Enum name, void **out) = nullptr;
     Bool(CLAQUE_GL_CALL *IsEnabled)(Enum what) = nullptr;
     int32_t(CLAQUE_GL_CALL *RenderMode)(Enum mode) = nullptr;
     void(CLAQUE_GL_CALL *EndList)() = nullptr;

@@ -40,7 +40,30 @@ void let_materials_follow(const Gl11 &gl)
     gl.Enable(gl::colour_material);
 }
 
+VertexArray vertex_array_of(const Gl11 &gl)
+{
+    VertexArray array;
+    gl.GetIntegerv(gl::vertex_array_size, &array.size);
+    gl.GetIntegerv(gl::vertex_array_type, &array.type);
+    gl.GetIntegerv(gl::vertex_array_stride, &array.stride);
+    gl.GetPointerv(gl::vertex_array_pointer, &array.pointer);
+    return array;
+}
+
+// glPopClientAttrib of Mesa's indirect GLX (22.3.6) restores all arrays but this one. An array that the pop restored is
+// not set again: it may lie in a buffer, which is no longer bound.
+void restore(const Gl11 &gl, const VertexArray &array)
+{
+    if (array != vertex_array_of(gl))
+        gl.VertexPointer(array.size, static_cast<gl::Enum>(array.type), array.stride, array.pointer);
+}
+
 }  // namespace
+
+bool VertexArray::operator!=(const VertexArray &other) const
+{
+    return size != other.size || type != other.type || stride != other.stride || pointer != other.pointer;
+}
 
 StackEntries stack_entries_of(Guard mode) { return {mode == Guard::full, mode != Guard::none}; }
 
@@ -53,6 +76,7 @@ StateGuard::StateGuard(const Gl11 &gl, Guard mode, gl::Bits more) : gl_(gl), mod
 {
     if (mode_ == Guard::none) return;
     if (mode_ == Guard::full) gl_.PushAttrib(touched_groups | more);
+    vertex_array_ = vertex_array_of(gl_);
     gl_.PushClientAttrib(gl::client_vertex_array_bit);
     gl_.GetIntegerv(gl::matrix_mode, &matrix_mode_);
     gl_.GetDoublev(gl::modelview_matrix, modelview_);
@@ -74,6 +98,7 @@ StateGuard::~StateGuard()
     gl_.LoadMatrixd(modelview_);
     gl_.MatrixMode(static_cast<gl::Enum>(matrix_mode_));
     gl_.PopClientAttrib();
+    restore(gl_, vertex_array_);
     if (mode_ != Guard::full) return;
     gl_.PopAttrib();
     let_materials_follow(gl_);

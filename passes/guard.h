@@ -93,6 +93,13 @@ constexpr Left left_by_none[] = {
 // Entries that it needs on the host's attribute stacks.
 StackEntries stack_entries_of(Guard mode);
 
+// The host's vertex array.
+struct VertexArray {
+    int32_t size = 0, type = 0, stride = 0;
+    void *pointer = nullptr;
+    bool operator!=(const VertexArray &other) const;
+};
+
 // Saves the state of the mode on construction and restores it on destruction. Preflight has checked the stacks.
 class StateGuard
 {
@@ -108,6 +115,7 @@ private:
     Guard mode_;
     int32_t matrix_mode_ = 0;
     double modelview_[16], projection_[16], texture_[16];
+    VertexArray vertex_array_;
 };
 
 // Disables all client arrays.

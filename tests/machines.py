@@ -6,7 +6,6 @@ emulator is missing is named in the table, with the packages that it needs. The 
 """
 import argparse
 import collections
-import json
 import os
 import pathlib
 import re
@@ -14,6 +13,8 @@ import shutil
 import subprocess
 import sys
 import time
+
+from gtest_reports import cases_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent
@@ -25,24 +26,6 @@ ABOUT = {
 }
 
 Result = collections.namedtuple("Result", "machine passed failed skipped left_out absent seconds")
-
-
-def cases_of(folder):
-    """(passed, [failed], {reason: [names]}) of the reports that GoogleTest wrote into `folder`."""
-    passed, failed, skipped = 0, [], collections.defaultdict(list)
-    for report in sorted(folder.glob("*.json")):
-        for suite in json.loads(report.read_text()).get("testsuites", []):
-            for case in suite.get("testsuite", []):
-                name = f"{suite['name']}.{case['name']}"
-                if case.get("failures"):
-                    failed.append(name)
-                elif case.get("result") == "SKIPPED":
-                    said = case.get("skipped") or [{}]
-                    lines = said[0].get("message", "").strip().splitlines()
-                    skipped[lines[-1] if lines else "no reason is given"].append(name)
-                elif case.get("result") == "COMPLETED":
-                    passed += 1
-    return passed, failed, skipped
 
 
 def programs_of(text):

@@ -28,8 +28,12 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
     command.add_option("--hour", a.hour, "Hour of the day, in the amphitheatre: where its sun stands")
         ->check(CLI::Range(5.5, 18.5));
     command.add_option("--path", a.path, "Camera path to follow instead of the scene's own (TOML)")->type_name("FILE");
-    command.add_option("--context", a.context, "Source of OpenGL; any: OSMesa if it is there, else EGL")
-        ->check(CLI::IsMember({"any", "osmesa", "egl"}))
+    command
+        .add_option(
+            "--context", a.context,
+            "Source of OpenGL; any: what the variable CLAQUE_CONTEXT names, else OSMesa if it is there, else EGL; "
+            "glx: the X server that DISPLAY names")
+        ->check(CLI::IsMember({"any", "osmesa", "egl", "glx"}))
         ->capture_default_str();
     command.add_option("--format", a.format, "Pixel format of the drawing surface")
         ->check(CLI::IsMember({"rgba8888", "rgb565"}))
@@ -153,6 +157,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     options.width = a.width, options.height = a.height;
     options.context = a.context == "osmesa" ? contexts::Kind::osmesa
                       : a.context == "egl"  ? contexts::Kind::egl
+                      : a.context == "glx"  ? contexts::Kind::glx
                                             : contexts::Kind::any;
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.strategy = strategy_named(a.strategy);

@@ -1,4 +1,4 @@
-// Declarations that the two kinds of context share; private to this folder.
+// Declarations that the kinds of context share; private to this folder.
 #pragma once
 
 #include "samples/contexts/offscreen.h"
@@ -6,8 +6,11 @@
 namespace contexts
 {
 
+using Handle = void *;
+
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not);
 std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not);
+std::unique_ptr<Offscreen> make_glx(int width, int height, PixelFormat format, std::string &why_not);
 
 void tell_leak_checker();
 

@@ -6,7 +6,6 @@ namespace contexts
 namespace
 {
 
-using Handle = void *;
 constexpr unsigned platform_surfaceless = 0x31DD, opengl_api = 0x30A2;
 constexpr int surface_type = 0x3033, pbuffer_bit = 1, renderable_type = 0x3040, opengl_bit = 8, end = 0x3038;
 constexpr int alpha_size = 0x3021, blue_size = 0x3022, green_size = 0x3023, red_size = 0x3024;

@@ -1,6 +1,7 @@
 #include "samples/contexts/offscreen.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <dlfcn.h>
 
 #include "samples/contexts/backends.h"
@@ -94,6 +95,13 @@ void Offscreen::read_depth(std::vector<float> &out) const
     read(0, width_, gl_depth_component, gl_float, sizeof(float), out.data());
 }
 
+Kind kind_of_environment()
+{
+    const char *value = std::getenv("CLAQUE_CONTEXT");
+    const std::string name = value ? value : "";
+    return name == "osmesa" ? Kind::osmesa : name == "egl" ? Kind::egl : name == "glx" ? Kind::glx : Kind::any;
+}
+
 std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not)
 {
     if (width < 1 || height < 1 || width > largest_side_px || height > largest_side_px) {
@@ -102,6 +110,8 @@ std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, Pixe
         return nullptr;
     }
     tell_leak_checker();
+    if (kind == Kind::any) kind = kind_of_environment();
+    if (kind == Kind::glx) return make_glx(width, height, format, why_not);
     std::unique_ptr<Offscreen> made;
     std::string osmesa_why, egl_why;
     if (kind != Kind::egl) made = make_osmesa(width, height, format, osmesa_why);

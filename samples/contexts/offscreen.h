@@ -1,5 +1,5 @@
-// Offscreen OpenGL contexts for samples and tests: OSMesa, or EGL without a window system. Nothing is linked; the
-// libraries are opened at run time, so that one program serves machines that have either. This is no part of libclaque.
+// Offscreen OpenGL contexts for samples and tests: OSMesa, EGL without a window system, or GLX. Nothing is linked; the
+// libraries are opened at run time, so that one program serves machines that have any. This is no part of libclaque.
 //
 // One context is current per thread. OSMesa and EGL contexts may live in one process (they share Mesa's dispatch):
 // call make_current() before each use when there are several.
@@ -13,7 +13,9 @@
 namespace contexts
 {
 
-enum class Kind : uint8_t { any, osmesa, egl };  // any: OSMesa if it is there, else EGL
+// any: what the environment variable CLAQUE_CONTEXT names (osmesa, egl, glx); without it OSMesa if it is there, else
+// EGL. GLX needs the X server that DISPLAY names, and is only used where it is named.
+enum class Kind : uint8_t { any, osmesa, egl, glx };
 enum class PixelFormat : uint8_t { rgba8888, rgb565 };
 
 using GlFunction = void (*)();
@@ -57,6 +59,9 @@ private:
     int width_, height_;
     std::string name_;
 };
+
+// What CLAQUE_CONTEXT names; `any` if it is not set or names nothing.
+Kind kind_of_environment();
 
 // Makes a context of width x height pixels (1 to 16384 each) with 24 bits of depth and 8 of stencil, and makes it
 // current. Null, and one sentence in why_not, if this machine cannot.

@@ -129,9 +129,9 @@ TEST_P(WrittenCharactersLaw, HoldsWithZonesAcrossTheirTriangles)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(two_targets), name_of_target);
-INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::Values(all_targets[0]), name_of_target);
-INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(two_targets), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(targets(2)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::ValuesIn(targets(1)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(targets(2)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

@@ -30,7 +30,7 @@ TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(two_targets), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(targets(2)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

@@ -2,6 +2,7 @@
 #include "passes/guard.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/hostile.h"
+#include "tests/gl/support/spy.h"
 #include "tests/gl/support/state_dump.h"
 
 namespace gltest
@@ -195,6 +196,29 @@ TEST_F(HostState, OfMaterialsThatFollowColoursIsTheHostsOwn)
         for (const std::string &name : changed_by_draw(*renderer, list_of(posed, whole_view(posed))))
             ADD_FAILURE() << int(strategy) << ": " << name << " is now " << text_of(after_.at(name));
         SetUp();
+    }
+}
+
+// Mesa's indirect GLX.
+TEST_F(HostState, OfAnArrayThatGlForgetsToPopIsTheHostsOwn)
+{
+    const PosedModel posed = small_posed();
+    for (const Guard guard : {Guard::full, Guard::minimal}) {
+        Spy spy(*context_);
+        spy.forgets_vertex_array = true;
+        passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::fused, guard));
+        ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
+        ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
+        const double corners[6] = {0};
+        constexpr gl::Enum of_doubles = 0x140A;
+        host_->VertexPointer(2, of_doubles, 24, corners);
+        const State before = dump_state(*host_);
+        ASSERT_TRUE(renderer.draw(list_of(posed, whole_view(posed)), nullptr).ok());
+        const State after = dump_state(*host_);
+        for (const char *name :
+             {"GL_VERTEX_ARRAY_SIZE", "GL_VERTEX_ARRAY_TYPE", "GL_VERTEX_ARRAY_STRIDE", "GL_VERTEX_ARRAY_POINTER"})
+            EXPECT_EQ(before.at(name).values, after.at(name).values) << name << ", guard " << int(guard);
+        renderer.destroy();
     }
 }
 

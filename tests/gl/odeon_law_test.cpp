@@ -137,6 +137,6 @@ TEST_P(OdeonLaw, HoldsOnNearActors)
     hold(scenes::Shot::close, 9.7, 1);
 }
 
-INSTANTIATE_TEST_SUITE_P(On, OdeonLaw, testing::Values(all_targets[0]), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, OdeonLaw, testing::ValuesIn(targets(1)), name_of_target);
 
 }  // namespace gltest

@@ -47,7 +47,7 @@ TEST_P(SplitLaw, HoldsForImagesThatHaveToBeResized)
     hold(split_posed(model_of(sheet(7, 0.2f), torture_map(1, 1, 1), awkward_keys(1, 0, 1), model::Wrap::repeat)));
 }
 
-INSTANTIATE_TEST_SUITE_P(On, SplitLaw, testing::ValuesIn(all_targets), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, SplitLaw, testing::ValuesIn(targets(4)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

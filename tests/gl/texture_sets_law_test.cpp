@@ -63,7 +63,7 @@ TEST_P(TextureSetsLaw, HoldsOnThePeopleInTheirSecondSets)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, TextureSetsLaw, testing::ValuesIn(two_targets), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, TextureSetsLaw, testing::ValuesIn(targets(2)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

@@ -23,6 +23,10 @@ inline bool can_load(const char *library)
 inline std::string absent_gl(contexts::Kind kind)
 {
     std::string absent;
+    if (kind == contexts::Kind::any) kind = contexts::kind_of_environment();
+    if (kind == contexts::Kind::glx)
+        return can_load("libX11.so.6") && can_load("libGL.so.1") ? ""
+                                                                 : "libX11.so.6 and libGL.so.1 are not both installed";
     if (kind != contexts::Kind::egl) {
         if (can_load("libOSMesa.so.8") || can_load("libOSMesa.so.6") || can_load("libOSMesa.so")) return "";
         absent = "libOSMesa.so.8 is not installed";

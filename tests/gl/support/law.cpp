@@ -7,6 +7,22 @@
 namespace gltest
 {
 
+std::vector<Target> targets(size_t most)
+{
+    using contexts::Kind, contexts::PixelFormat;
+    constexpr Target all[] = {
+        {Kind::osmesa, PixelFormat::rgba8888, "OsmesaRgba8888"}, {Kind::osmesa, PixelFormat::rgb565, "OsmesaRgb565"},
+        {Kind::egl, PixelFormat::rgba8888, "EglRgba8888"},       {Kind::egl, PixelFormat::rgb565, "EglRgb565"},
+        {Kind::glx, PixelFormat::rgba8888, "GlxRgba8888"},       {Kind::glx, PixelFormat::rgb565, "GlxRgb565"},
+    };
+    const Kind named = contexts::kind_of_environment();
+    std::vector<Target> chosen;
+    for (const Target &target : all)
+        if (chosen.size() < most && (named == Kind::any ? target.kind != Kind::glx : target.kind == named))
+            chosen.push_back(target);
+    return chosen;
+}
+
 Law::Law(contexts::Offscreen &context, const PosedModel &posed, const model::Model *source)
     : context_(context), posed_(posed), colours_(zone_colours(posed.tmpl->zone_count()))
 {

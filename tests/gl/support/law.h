@@ -12,13 +12,10 @@ struct Target {
     contexts::PixelFormat format;
     const char *name;
 };
-constexpr Target all_targets[] = {
-    {contexts::Kind::osmesa, contexts::PixelFormat::rgba8888, "OsmesaRgba8888"},
-    {contexts::Kind::osmesa, contexts::PixelFormat::rgb565, "OsmesaRgb565"},
-    {contexts::Kind::egl, contexts::PixelFormat::rgba8888, "EglRgba8888"},
-    {contexts::Kind::egl, contexts::PixelFormat::rgb565, "EglRgb565"},
-};
-constexpr Target two_targets[] = {all_targets[0], all_targets[1]};
+
+// The first `most` of OSMesa with 8888 and 565 and EGL with 8888 and 565. Where the variable CLAQUE_CONTEXT names a
+// kind, GLX perhaps, only those of that kind.
+std::vector<Target> targets(size_t most);
 
 // The plain and id pictures of four views, drawn once per character: near, whole, far, edge-on. With a source the plain
 // picture is drawn from that (source_picture.h), else from the template, which a splitter may have got wrong.

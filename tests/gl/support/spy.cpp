@@ -40,7 +40,7 @@ struct Between<member> {
     }
 };
 
-// These two can be made to give other answers.
+// These can be made to give other answers.
 void get_integer(gl::Enum name, int32_t *out)
 {
     active->note("glGetIntegerv", {number(name), number(out)});
@@ -57,6 +57,19 @@ const uint8_t *get_string(gl::Enum name)
     return reinterpret_cast<const uint8_t *>(answer->second.c_str());
 }
 
+void pop_client_attributes()
+{
+    active->note("glPopClientAttrib", {});
+    int32_t size = 0, type = 0, stride = 0;
+    void *pointer = nullptr;
+    real.GetIntegerv(gl::vertex_array_size, &size);
+    real.GetIntegerv(gl::vertex_array_type, &type);
+    real.GetIntegerv(gl::vertex_array_stride, &stride);
+    real.GetPointerv(gl::vertex_array_pointer, &pointer);
+    real.PopClientAttrib();
+    if (active->forgets_vertex_array) real.VertexPointer(size, static_cast<gl::Enum>(type), stride, pointer);
+}
+
 using Table = std::map<std::string, GlFunction>;
 
 template <auto member>
@@ -69,6 +82,7 @@ void add(Table &table, const char *name)
 void add_state(Table &t)
 {
     add<&Gl11::GetDoublev>(t, "glGetDoublev");
+    add<&Gl11::GetPointerv>(t, "glGetPointerv");
     add<&Gl11::IsEnabled>(t, "glIsEnabled");
     add<&Gl11::Enable>(t, "glEnable");
     add<&Gl11::Disable>(t, "glDisable");
@@ -91,7 +105,6 @@ void add_state(Table &t)
     add<&Gl11::PushAttrib>(t, "glPushAttrib");
     add<&Gl11::PopAttrib>(t, "glPopAttrib");
     add<&Gl11::PushClientAttrib>(t, "glPushClientAttrib");
-    add<&Gl11::PopClientAttrib>(t, "glPopClientAttrib");
     add<&Gl11::MatrixMode>(t, "glMatrixMode");
     add<&Gl11::LoadIdentity>(t, "glLoadIdentity");
     add<&Gl11::LoadMatrixf>(t, "glLoadMatrixf");
@@ -131,6 +144,7 @@ const Table &table()
         add_state(t);
         add_drawing(t);
         t["glGetIntegerv"] = reinterpret_cast<GlFunction>(&get_integer);
+        t["glPopClientAttrib"] = reinterpret_cast<GlFunction>(&pop_client_attributes);
         t["glGetString"] = reinterpret_cast<GlFunction>(&get_string);
         return t;
     }();

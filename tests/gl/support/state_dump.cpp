@@ -138,6 +138,8 @@ State dump_state(const HostGl &host, bool has_multisample)
         host.GetDoublev(name.name, values);
         state[name.text] = {name.name, std::vector<double>(values, values + name.count)};
     }
+    constexpr gl::Enum logic_op = 0x0BF2;  // indirect GLX does not know the query above
+    state["GL_COLOR_LOGIC_OP"] = {logic_op, {double(host.IsEnabled(logic_op))}};
     if (has_multisample) state["GL_MULTISAMPLE"] = {gl::multisample, {double(host.IsEnabled(gl::multisample))}};
     dump_lights(state, host);
     dump_texturing(state, host);
