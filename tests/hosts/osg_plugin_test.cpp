@@ -125,6 +125,31 @@ TEST_F(OsgPlugin, DrawsAllPeopleOfAViewAsOneDrawable)
     EXPECT_EQ(drawn(), 1);
 }
 
+// Each has a GL context as OSG counts them, and frames of its own.
+TEST_F(OsgPlugin, ShowsTheSamePeopleInTwoViewers)
+{
+    const osg::ref_ptr<osg::Node> person = citizen();
+    for (int i = 0; i < 5; ++i) stand(*person, {0.9 * i - 1.8, 0, 0});
+    picture(0);
+    const std::vector<uint8_t> first = picture(0.02);
+    {
+        osgViewer::Viewer other;
+        other.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+        other.setUpViewerAsEmbeddedInWindow(0, 0, side_px, side_px);
+        other.setSceneData(root_);
+        other.getCamera()->setViewMatrix(viewer_->getCamera()->getViewMatrix());
+        other.getCamera()->setProjectionMatrix(viewer_->getCamera()->getProjectionMatrix());
+        std::vector<uint8_t> rgb;
+        for (int i = 0; i < 3; ++i) {
+            other.frame(0.02);
+            context_->read_rgb(rgb);
+            EXPECT_EQ(rgb, first) << i;
+        }
+        EXPECT_EQ(picture(0.02), first);
+    }
+    EXPECT_EQ(picture(0.02), first) << "the other one is closed";
+}
+
 TEST_F(OsgPlugin, LeavesOsgItsState)
 {
     osg::ref_ptr<osg::Geode> box = new osg::Geode;
