@@ -4,6 +4,7 @@
 strangers.py BUILD OUT [HOST...]: the folder of the build, a folder for pictures; without names, all hosts. A host that
 is not installed is skipped and named in the table, with its package. The exit status is 1 if a host failed.
 """
+import ctypes.util
 import pathlib
 import re
 import shutil
@@ -12,6 +13,7 @@ import sys
 import time
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+import screen
 import sumo
 
 SOURCE = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -38,6 +40,31 @@ def check_test(name):
     return re.search(r"\[  PASSED  \] (.*)\.", run.stdout).group(1)
 
 
+def python_with_vtk():
+    for python in (sys.executable, "/usr/bin/python3"):
+        if subprocess.run([python, "-c", "import numpy, vtkmodules"], capture_output=True).returncode == 0:
+            return python
+    return ""
+
+
+def no_vtk():
+    if not python_with_vtk():
+        return "no Python with VTK (Debian: python3-vtk9)"
+    if not ctypes.util.find_library("glut"):
+        return "libglut is not installed (Debian: libglut3.12)"
+    return needs(Xvfb="xvfb")
+
+
+def check_vtk():
+    libraries = ":".join(str(BUILD / "lib" / folder) for folder in ("api", "api/assets", "stage"))
+    with screen.Screen() as shown:
+        environment = dict(shown.environment, CLAQUE_LIBRARY_DIR=libraries, PYTHONPATH=str(SOURCE / "lib/python"))
+        run = subprocess.run([python_with_vtk(), "-B", SOURCE / "tests/hosts/vtk_check.py", OUT / "vtk.png"],
+                             env=environment, capture_output=True, text=True, timeout=300)
+    assert run.returncode == 0, run.stdout + run.stderr
+    return run.stdout.strip()
+
+
 HOSTS = {
     "sumo-gui": (lambda: no_plugin() or needs(sumo_gui="sumo", netgenerate="sumo", Xvfb="xvfb"),
                  lambda: sumo.check_sumo(BUILD / "samples", OUT)),
@@ -45,6 +72,7 @@ HOSTS = {
                   lambda: sumo.check_osgviewer(BUILD / "samples", OUT, SOURCE / "samples/scenarios")),
     "Coin": (lambda: "" if (BUILD / "tests/hosts/hosts_coin_test").exists() else
              "samples/hosts/coin was not built (Debian: libcoin-dev)", lambda: check_test("hosts_coin_test")),
+    "VTK": (no_vtk, check_vtk),
 }
 
 
