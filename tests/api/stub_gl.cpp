@@ -48,7 +48,11 @@ void get_integer(uint32_t name, int32_t *out)
         out[0] = out[1] = 0, out[2] = 64, out[3] = 48;
         return;
     }
-    *out = name == gl::rgba_mode                                                             ? 1
+    const Array &vertices = bound.arrays[positions];
+    *out = name == gl::vertex_array_size                                                     ? vertices.numbers
+           : name == gl::vertex_array_type                                                   ? int32_t(vertices.type)
+           : name == gl::vertex_array_stride                                                 ? vertices.stride
+           : name == gl::rgba_mode                                                           ? 1
            : name == gl::render_mode                                                         ? int32_t(gl::render)
            : name == gl::max_attrib_stack_depth || name == gl::max_client_attrib_stack_depth ? max_stack
            : name == gl::max_texture_size                                                    ? max_side
@@ -56,6 +60,7 @@ void get_integer(uint32_t name, int32_t *out)
                                                                                              : 0;
 }
 
+void get_pointer(uint32_t, void **out) { *out = const_cast<void *>(bound.arrays[positions].data); }
 void get_doubles(uint32_t, double *out) { std::memset(out, 0, 16 * sizeof *out); }
 // Of the last uploaded texture.
 void get_level(uint32_t, int32_t, uint32_t name, int32_t *out)
@@ -184,6 +189,7 @@ clq_gl_function find(void *, const char *name)
     static const std::map<std::string, GlFunction> functions = {NAMED(GetString, get_string),
                                                                 NAMED(GetIntegerv, get_integer),
                                                                 NAMED(GetDoublev, get_doubles),
+                                                                NAMED(GetPointerv, get_pointer),
                                                                 NAMED(GetTexLevelParameteriv, get_level),
                                                                 NAMED(TexImage2D, offer_texture),
                                                                 NAMED(VertexPointer, point_at_positions),

@@ -27,6 +27,11 @@ inline void effect(std::integral_constant<Id, Id::GetDoublev>, uint32_t name, do
                                                         : gl::modelview;
     std::memcpy(out, top(mode).data(), sizeof(Matrix));
 }
+inline void effect(std::integral_constant<Id, Id::GetPointerv>, uint32_t, void **out)
+{
+    const auto vertices = context.client.arrays.find(gl::vertex_array);
+    if (vertices != context.client.arrays.end()) *out = const_cast<void *>(vertices->second.data);
+}
 inline void effect(std::integral_constant<Id, Id::GetTexLevelParameteriv>, uint32_t target, int32_t, uint32_t name,
                    int32_t *out)
 {
