@@ -1,5 +1,6 @@
 #include "samples/hosts/osg/plugin/scenario_node.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <osg/GL>
@@ -98,7 +99,7 @@ private:
         check(clq_view_create(scene_->crowd(), &view_));
     }
 
-    // Viewers begin where they see these: about what the scene's own camera looks at.
+    // Viewers begin where they see these, looking along +y: about what the scene's own camera looks at.
     void place_bounds()
     {
         const clq_camera camera = scene_->camera(scenes::Shot::overview, 4.0 / 3, scene_->busiest_s());
@@ -107,9 +108,12 @@ private:
         const osg::Vec3d ahead(-eye.rotation[2], eye.rotation[10], -eye.rotation[6]);
         const double way = ahead.z() < -0.05 ? std::min(200.0, from.z() / -ahead.z()) : 20;
         const osg::Vec3d at = from + ahead * way;
-        const double radius = way / 4, height = 0.8 * from.z();
-        setInitialBound(osg::BoundingBox(at.x() - radius, at.y() - radius, at.z(), at.x() + radius, at.y() + radius,
-                                         at.z() + height));
+        // A viewer's angle of 30 degrees holds a sphere of this size from nearly as far as the scene's camera is, and
+        // sees the ground in its middle from this height.
+        const double far = std::hypot(at.x() - from.x(), at.y() - from.y()), half = 0.145 * far;
+        const osg::Vec3d centre(at.x(), at.y(), at.z() + std::min(0.5 * (from.z() - at.z()), 0.19 * far));
+        const osg::Vec3d corner(half, half, half);
+        setInitialBound(osg::BoundingBox(centre - corner, centre + corner));
     }
 
     void draw(osg::State &state) const
