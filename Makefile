@@ -31,6 +31,7 @@ help:
 	@echo "make test-machines  all four, with one table at the end"
 	@echo "make test-webgl  a WebGL renderer (three.js in Chromium) against the CPU path, with one table at the end (needs chromium, nodejs, npm)"
 	@echo "make test-gl    zone law, guard and pictures on every OpenGL that is installed, with one table (MESA=FOLDER: others too)"
+	@echo "make test-guest a crowd in a corner of glxgears, etr, gltron and TORCS, which may change nothing else (PROGRAMS: some)"
 	@echo "make coverage   lines and branches of the library that its tests run, held to 95 % and 90 % (needs gcovr)"
 
 setup:
@@ -190,6 +191,10 @@ test-webgl: command
 # Each implementation of OpenGL that is here, and those of the unpacked packages in the folders of MESA (tests/drivers).
 test-gl: build
 	@tests/drivers/run.py --build $(BUILD) $(if $(MESA),--mesa $(MESA)) $(DRIVERS)
+
+# Programs that know nothing of claque, recorded and replayed with a crowd in a corner (tests/guest).
+test-guest: build
+	@tests/guest/run.py --build $(BUILD) $(PROGRAMS)
 
 # Lines and branches of the library that its tests run, folder by folder.
 coverage:
