@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <list>
 #include <stdexcept>
 
 #include <mpi.h>
@@ -32,7 +33,10 @@ public:
 
     void send(int to, const std::string &message) override
     {
-        MPI_Send(message.data(), length(message.size()), MPI_BYTE, to, 0, MPI_COMM_WORLD);
+        forget_sent();
+        unsent_.push_back({message, MPI_REQUEST_NULL});
+        Unsent &one = unsent_.back();
+        MPI_Isend(one.message.data(), length(one.message.size()), MPI_BYTE, to, 0, MPI_COMM_WORLD, &one.request);
     }
     bool has_message() override
     {
@@ -59,7 +63,11 @@ public:
         MPI_Bcast(bytes.data(), size, MPI_BYTE, 0, MPI_COMM_WORLD);
     }
 
-    void finish() override { MPI_Finalize(); }
+    void finish() override
+    {
+        for (Unsent &one : unsent_) MPI_Wait(&one.request, MPI_STATUS_IGNORE);
+        MPI_Finalize();
+    }
     [[noreturn]] void fail(const std::string &sentence) override
     {
         char machine[MPI_MAX_PROCESSOR_NAME + 1] = {0};
@@ -72,6 +80,20 @@ public:
     }
 
 private:
+    // A rank does not wait until another one has time to receive: that one may be drawing.
+    struct Unsent {
+        std::string message;
+        MPI_Request request;
+    };
+    void forget_sent()
+    {
+        unsent_.remove_if([](Unsent &one) {
+            int done = 0;
+            MPI_Test(&one.request, &done, MPI_STATUS_IGNORE);
+            return done != 0;
+        });
+    }
+
     static int length(size_t bytes)
     {
         if (bytes > static_cast<size_t>(std::numeric_limits<int>::max()))
@@ -80,6 +102,7 @@ private:
     }
 
     int rank_ = 0, count_ = 1, count_here_ = 1;
+    std::list<Unsent> unsent_;
 };
 
 }  // namespace

@@ -16,7 +16,8 @@ public:
     virtual int count() const = 0;
     virtual int count_here() const = 0;  // on this machine
 
-    // At most 2 GB each. Messages of one rank to another keep their order.
+    // At most 2 GB each. send() does not wait until a message is received. Messages of one rank to another keep their
+    // order.
     virtual void send(int to, const std::string &message) = 0;
     virtual bool has_message() = 0;
     virtual std::string receive(int &from) = 0;  // waits for the next message of any rank
