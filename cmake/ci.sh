@@ -10,10 +10,14 @@ mkdir -p out
 failed=0
 cmake --build "$build" -j "$jobs" --target claque_benchmarks  # which must go on compiling
 ctest --test-dir "$build" -j "$jobs" --output-on-failure --output-log out/ci-tests.log || failed=1
-tests/drivers/run.py --build "$build" llvmpipe-256 llvmpipe-128 glx > out/ci-drivers.log 2>&1 || { failed=1; cat out/ci-drivers.log; }
+tests/drivers/run.py --build "$build" llvmpipe-256 llvmpipe-128 glx > out/ci-drivers.log 2>&1 || {
+    failed=1
+    cat out/ci-drivers.log
+}
 cmake --preset asan > build/asan.log 2>&1 || { cat build/asan.log; exit 1; }
 cmake --build --preset asan -j "$jobs" --target claque_bytes_tests
-ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on-failure --output-log out/ci-sanitizers.log || failed=1
+ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on-failure \
+    --output-log out/ci-sanitizers.log || failed=1
 cmake/setup.sh fuzz > out/ci-fuzz.log 2>&1 || true  # without root the fuzzers may have to be skipped
 JOBS="$jobs" tests/fuzz/run.py 20 > out/ci-fuzz.log 2>&1 || failed=1
 cat out/ci-fuzz.log

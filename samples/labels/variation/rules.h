@@ -15,7 +15,7 @@ struct Span {
     double first = 0, last = 0;  // alike: always this number
 };
 
-// A camera that looks at a person who is chosen.
+// A camera that looks at one person of the scene.
 struct CameraRules {
     Span height_m = {1.6, 1.6};  // above the feet of the person
     Span distance_m = {3, 10};   // from the person, on the level

@@ -62,18 +62,18 @@ public:
     }
 
 private:
-    void enter(uint32_t who, const CrowdOptions &crowd_options)
+    void enter(uint32_t index, const CrowdOptions &crowd_options)
     {
-        const uint32_t row = who / columns_, column = who % columns_;
+        const uint32_t row = index / columns_, column = index % columns_;
         const uint32_t here = std::min(columns_, crowd_options.count - row * columns_);
         const double x = (column - (here - 1) / 2.0) * across_m + (row % 2 == 1 ? 0.3 : 0);
-        const double turn = random_between(crowd_options.seed, who, Purpose::heading, -2.4, 2.4);
-        const float scale = static_cast<float>(random_between(crowd_options.seed, who, Purpose::size, 0.85, 1.1));
+        const double turn = random_between(crowd_options.seed, index, Purpose::heading, -2.4, 2.4);
+        const float scale = static_cast<float>(random_between(crowd_options.seed, index, Purpose::size, 0.85, 1.1));
         clq_transform place = stand(x, 0, -deep_m * row, std::sin(turn), std::cos(turn), scale);
-        if (who % mirrored_every == 1) mirror(place);
+        if (index % mirrored_every == 1) mirror(place);
         clq_play play = {};
         play.clip = 0, play.speed = 1;
-        play.phase_s = static_cast<float>(random_between(crowd_options.seed, who, Purpose::phase, 0, 2.4));
+        play.phase_s = static_cast<float>(random_between(crowd_options.seed, index, Purpose::phase, 0, 2.4));
         scene_crowd_.enter({figure_, place, play});
         const float rim_m = 0.42f * std::fabs(place.scale);
         shadows_.ring(static_cast<float>(x), 0, static_cast<float>(-deep_m * row), rim_m, rim_m);
