@@ -91,6 +91,22 @@ TEST_F(FilesOfLabels, HoldKittisFlowAndDepth)
         else ASSERT_NEAR(depth[i] / 256.0, static_cast<double>(sample_.depth_m[i]), 1.0 / 511);
 }
 
+TEST_F(FilesOfLabels, HoldNormals)
+{
+    int channels = 0, bits = 0;
+    const std::vector<uint16_t> values = png_values(files_.at("normals/000012.png"), channels, bits);
+    ASSERT_EQ(channels, 3);
+    ASSERT_EQ(bits, 8);
+    ASSERT_EQ(values.size(), sample_.normal.size());
+    size_t shown = 0;
+    for (size_t i = 0; i < values.size(); ++i) {
+        const bool is_there = !std::isnan(sample_.normal[i]);
+        shown += is_there;
+        ASSERT_NEAR(values[i], is_there ? 127.5 * (static_cast<double>(sample_.normal[i]) + 1) : 0, 0.51);
+    }
+    EXPECT_GT(shown, 1000u);
+}
+
 TEST_F(FilesOfLabels, HoldCocosMasksBoxesAndPanopticPictures)
 {
     const std::vector<labels::Json> frames = {labels::frame_json(sample_)};
