@@ -30,9 +30,9 @@ public:
           wanted_(wanted),
           fps_(fps),
           rules_(rules),
-          heads_(library, *wanted.keypoint_set)
+          skeletons_(library, *wanted.keypoint_set)
     {
-        wanted_.keypoints = true;  // of the person at whom a camera looks
+        wanted_.keypoints = true;  // look_at_a_person() needs to know whether a head is visible
         // The built-in odeon is a scenario that comes with claque.
         if (arguments_.scene == "odeon")
             arguments_.described = std::make_shared<const scenes::Scenario>(scenes::odeon_scenario());
@@ -49,7 +49,7 @@ public:
         out.sample = rules_.camera ? look_at_a_person(scene, labeller, choice, number, out.choice)
                                    : labeller.label(number, choice.time_s);
         out.silhouette_pictures = labeller.silhouette_pictures();
-        blur(scene, choice, out.sample);
+        degrade(scene, choice, out.sample);
         return out;
     }
 
@@ -59,8 +59,8 @@ private:
     scenes::Daylight light_for(const Choice &choice, scenes::Daylight light) const;
     labels::Sample look_at_a_person(scenes::SceneRenderer &scene, labels::Labeller &labeller, const Choice &choice,
                                     int number, Json &chosen);
-    // What lies between the scene and the file.
-    static void blur(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample);
+    // Adds haze, noise and the loss of compression to the colour picture.
+    static void degrade(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample);
     [[noreturn]] void refuse(const std::string &rule, const std::string &why) const
     {
         const auto place = rules_.places.find(rule);
@@ -74,7 +74,7 @@ private:
     labels::Wanted wanted_;
     double fps_;
     labels::Rules rules_;
-    labels::Skeletons heads_;
+    labels::Skeletons skeletons_;
 };
 
 void VariedScene::check_rules() const
@@ -160,7 +160,7 @@ labels::Sample VariedScene::look_at_a_person(scenes::SceneRenderer &scene, label
                                              const Choice &choice, int number, Json &chosen)
 {
     scene.place(choice.time_s);
-    const std::vector<labels::Head> heads = labels::heads_of(heads_, scene.scene(), choice.time_s);
+    const std::vector<labels::Head> heads = labels::heads_of(skeletons_, scene.scene(), choice.time_s);
     const std::string sample = "sample " + std::to_string(number) + ": ";
     if (heads.empty()) throw Failure(sample + "no individual has a head for a camera to look at");
     const double aspect = static_cast<double>(options_.width) / options_.height;
@@ -183,7 +183,7 @@ labels::Sample VariedScene::look_at_a_person(scenes::SceneRenderer &scene, label
                   why_not);
 }
 
-void VariedScene::blur(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample)
+void VariedScene::degrade(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample)
 {
     if (choice.visibility_m) {
         scene.frame(choice.time_s);

@@ -24,13 +24,13 @@ OwnPoint read_point(TomlTable &point)
     if (point.has("nodes")) out.nodes = point.texts("nodes");
     if (point.has("joint")) {
         out.joint = point.text("joint");
-        const std::vector<std::string> &all = joint_names();
-        std::string names;
-        for (const std::string &one : all) names += one + ", ";
-        for (const char *one : face_points) names += one + std::string(one == face_points[4] ? "" : ", ");
-        if (std::find(all.begin(), all.end(), out.joint) == all.end() &&
-            std::find(std::begin(face_points), std::end(face_points), out.joint) == std::end(face_points))
+        std::vector<std::string> all = joint_names();
+        all.insert(all.end(), std::begin(face_points), std::end(face_points));
+        if (std::find(all.begin(), all.end(), out.joint) == all.end()) {
+            std::string names;
+            for (const std::string &one : all) names += (names.empty() ? "" : ", ") + one;
             point.refuse("has no joint '" + out.joint + "' to be at; there are " + names, "joint");
+        }
     }
     if (point.has("offset_m")) out.offset_m = point.triple("offset_m", {-10, 10}, "[left, up, forwards]");
     point.done();

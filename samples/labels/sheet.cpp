@@ -5,6 +5,7 @@
 #include <map>
 
 #include "samples/io/png.h"
+#include "samples/scenes/angles.h"
 #include "samples/scenes/zone_inks.h"
 
 namespace labels
@@ -105,7 +106,7 @@ std::vector<unsigned char> sheet(const Sample &s)
     out.fill(1, 1, [&](size_t i) -> Rgb {
         if (s.forward.empty() || std::isnan(s.forward[2 * i])) return nothing;
         const double u = static_cast<double>(s.forward[2 * i]), v = static_cast<double>(s.forward[2 * i + 1]);
-        return scenes::ink_of(std::atan2(-v, u) / 6.283185307179586 + 1, std::sqrt(std::hypot(u, v) / fastest), 1);
+        return scenes::ink_of(std::atan2(-v, u) / scenes::two_pi + 1, std::sqrt(std::hypot(u, v) / fastest), 1);
     });
     std::map<uint32_t, double> share;
     for (const Person &person : s.people) share[person.actor] = person.visibility();

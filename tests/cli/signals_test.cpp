@@ -88,7 +88,8 @@ protected:
         setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
     }
 
-    // Sends the signal at several moments of a command that takes `whole_ms` or longer. Returns in how many it was still running.
+    // Sends the signal at several moments of a command that takes `whole_ms` or longer. Returns how often it was still
+    // running.
     int interrupt(const Words &words, int number, double whole_ms, const Contents &whole)
     {
         int interrupted = 0;

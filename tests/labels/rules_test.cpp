@@ -100,6 +100,8 @@ TEST(Rules, ThatAreWrongAreRefusedAtTheirPlace)
         {"[people]\ncolours = [\"gone.toml\"]",
          "r.toml:2:11: [people] names a file in 'colours' that is not there: maps/gone.toml could not be opened"},
         {"[people]\nclasses = { a = 2 }", "[people.classes] has 'a' = 2, which is not within 0 to 1"},
+        {"[people]\ncount = [1.2, 1.8]", "r.toml:2:9: [people] has 'count' that is no whole number"},
+        {"[sensor]\njpeg_quality = 40.5", "[sensor] has 'jpeg_quality' that is no whole number"},
         {"[sensor]\njpeg_quality = 0", "[sensor] has 'jpeg_quality' = 0, which is not within 1 to 100"},
         {"time_s = = 1", "r.toml:1:10: not TOML"},
         {"camera = 3", "has 'camera' that is not a table"},

@@ -40,9 +40,10 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     rules      the path of a file of rules
     scene      the name of a scene; or scenario: the path of a scenario
     options    more of the command's, as ("--fps", "10")
-    command    the command claque; None: CLAQUE_COMMAND, or the one of the path
+    command    the command claque; None: CLAQUE_COMMAND, or the one on PATH
 
-    The command works ahead in a folder for temporary files, which is gone when the loop ends. Raises claque.Error with
+    The command works ahead in a folder for temporary files, which is gone when the loop ends. Until then it holds the
+    samples that the loop has not reached yet; TMPDIR says where it is. Raises claque.Error with
     the command's sentence if it fails."""
     numbers = [int(number) for number in numbers]
     if not numbers:
@@ -54,18 +55,30 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     with tempfile.TemporaryDirectory(prefix="claque-") as folder:
         arguments = [str(program), "labels", *subject, "--vary", str(rules), "--seed", str(seed),
                      "--size", f"{size[0]}x{size[1]}", "--write", "npz", "--out", folder,
-                     "--frames", ",".join(map(str, sorted(set(numbers)))), *map(str, options)]
+                     "--frames", _ranges(numbers), *map(str, options)]
         with open(os.path.join(folder, "errors"), "w+", encoding="utf-8") as errors:
             with _started(arguments, errors) as process:
                 try:
+                    last = {number: at for at, number in enumerate(numbers)}
                     for at, number in enumerate(numbers):
                         sample = _wait_for(process, pathlib.Path(folder), number, errors)
-                        if number not in numbers[at + 1:]:
+                        if last[number] == at:
                             _remove(pathlib.Path(folder), number)
                         yield sample
                 finally:
                     if process.poll() is None:
                         process.terminate()
+
+
+def _ranges(numbers):
+    """The numbers as the command reads them, as in 0:99,120."""
+    ranges = []
+    for number in sorted(set(numbers)):
+        if ranges and number == ranges[-1][1] + 1:
+            ranges[-1][1] = number
+        else:
+            ranges.append([number, number])
+    return ",".join(str(first) if first == last else f"{first}:{last}" for first, last in ranges)
 
 
 def _started(arguments, errors):

@@ -1,5 +1,6 @@
-// Random numbers of samples: each is a hash of (seed, sample, purpose, attempt), so that any sample can be made alone,
-// and that a new rule leaves the choices of the others as they are.
+// Random numbers of samples: each is a hash of (seed, sample, purpose, attempt). So any sample can be made alone, and a
+// new rule leaves the choices of the others as they are. Purposes are the names of rules; scenes/random.h has a fixed
+// list of them.
 #pragma once
 
 #include <cstdint>

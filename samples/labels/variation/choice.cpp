@@ -6,13 +6,6 @@
 
 namespace labels
 {
-namespace
-{
-
-constexpr double whole_numbers_between(const Span &span) { return span.last - span.first + 1; }
-
-}  // namespace
-
 Choice choose(const Rules &rules, uint64_t seed, uint32_t sample, double time_s)
 {
     Choice out;
@@ -22,8 +15,7 @@ Choice choose(const Rules &rules, uint64_t seed, uint32_t sample, double time_s)
         return span.first + (span.last - span.first) * chance(seed, sample, purpose);
     };
     const auto whole = [&](const Span &span, std::string_view purpose) {
-        const Span inside = {std::ceil(span.first), std::max(std::ceil(span.first), std::floor(span.last))};
-        return inside.first + std::floor(whole_numbers_between(inside) * chance(seed, sample, purpose));
+        return span.first + std::floor((span.last - span.first + 1) * chance(seed, sample, purpose));
     };
     const auto take = [&](const std::optional<Span> &span, std::string_view purpose, std::optional<double> &to) {
         if (span) to = number(*span, purpose);

@@ -11,14 +11,14 @@ namespace labels
 namespace
 {
 
-constexpr double horizon[3] = {219, 224, 224}, twenty_log = 2.995732273553991, layer_m = 300, farthest_m = 30000;
+constexpr double horizon[3] = {219, 224, 224}, ln_20 = 2.995732273553991, layer_m = 300, farthest_m = 30000;
 
 }  // namespace
 
 void add_haze(std::vector<uint8_t> &rgb, const std::vector<float> &depth, int width, int height,
               const clq_camera &camera, double visibility_m)
 {
-    const double per_m = twenty_log / visibility_m;
+    const double extinction_per_m = ln_20 / visibility_m;
     const auto p = [&](size_t k) { return static_cast<double>(camera.projection[k]); };
     clq_camera turn = camera;
     for (double &e : turn.eye) e = 0;
@@ -36,7 +36,7 @@ void add_haze(std::vector<uint8_t> &rgb, const std::vector<float> &depth, int wi
                 const double up = from_eye(turn, ray)[1] / length;
                 path_m = up * farthest_m > layer_m ? layer_m / up : farthest_m;
             }
-            const double left = std::exp(-per_m * std::clamp(path_m, 0.0, farthest_m));
+            const double left = std::exp(-extinction_per_m * std::clamp(path_m, 0.0, farthest_m));
             for (size_t k = 0; k < 3; ++k)
                 rgb[3 * at + k] =
                     static_cast<uint8_t>(horizon[k] + left * (static_cast<double>(rgb[3 * at + k]) - horizon[k]) + 0.5);

@@ -1,5 +1,7 @@
 #include "samples/labels/variation/rules.h"
 
+#include <cmath>
+
 #include "samples/io/files.h"
 #include "samples/scenes/odeon/toml_table.h"
 
@@ -43,6 +45,13 @@ public:
         Span span;
         if (take(key, limits, span)) out = span;
     }
+    // Whole numbers.
+    void take_whole(const char *key, Limits limits, std::optional<Span> &out)
+    {
+        take(key, limits, out);
+        if (out && (out->first != std::floor(out->first) || out->last != std::floor(out->last)))
+            table_.refuse("has '" + std::string(key) + "' that is no whole number", key);
+    }
     TomlTable &table() { return table_; }
 
 private:
@@ -54,7 +63,7 @@ private:
 void read_people(TomlTable &all, const scenes::ScenarioFiles &files, Rules &rules)
 {
     Section people(all.table("people", "[people]"), "people", rules);
-    people.take("count", {1, 1e6}, rules.count);
+    people.take_whole("count", {1, 1e6}, rules.count);
     if (people.table().has("classes")) {
         Section classes(people.table().table("classes", "[people.classes]"), "people.classes", rules);
         for (const std::string &name : classes.table().names()) {
@@ -105,7 +114,7 @@ void read_sensor(TomlTable &all, Rules &rules)
     Section sensor(all.table("sensor", "[sensor]"), "sensor", rules);
     sensor.take("read_noise", {0, 64}, rules.read_noise);
     sensor.take("shot_noise", {0, 64}, rules.shot_noise);
-    sensor.take("jpeg_quality", {1, 100}, rules.jpeg_quality);
+    sensor.take_whole("jpeg_quality", {1, 100}, rules.jpeg_quality);
     sensor.table().done();
 }
 
@@ -135,12 +144,7 @@ Rules load_rules(const std::string &path)
     std::string text;
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
-    const size_t slash = path.rfind('/');
-    const auto find = [](const std::string &file) {
-        std::string bytes;
-        return io::read_whole(file, bytes);
-    };
-    return read_rules(text, path, {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, find});
+    return read_rules(text, path, scenes::files_beside(path));
 }
 
 }  // namespace labels

@@ -12,7 +12,7 @@ namespace labels
 {
 
 struct Span {
-    double first = 0, last = 0;  // alike: always this number
+    double first = 0, last = 0;  // equal: always this number
 };
 
 // A camera that looks at one person of the scene.
@@ -22,7 +22,7 @@ struct CameraRules {
     Span heading_deg = {0, 360};
     std::optional<Span> pitch_deg;  // up is positive; none: it looks at the head
     Span fov_deg = {50, 50};        // the whole vertical angle
-    double faces_m = 0.5;           // no face is nearer
+    double faces_m = 0.5;           // the middle of no head is nearer
 };
 
 // What is absent stays as the scene has it.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "samples/scenes/angles.h"
+
 namespace scenes::everything
 {
 namespace
@@ -12,7 +14,6 @@ constexpr double middle = (image_px - 1) / 2.0;
 // Darker towards the folds of cloth, which run upwards.
 uint8_t fold(uint32_t x, uint32_t folds)
 {
-    constexpr double two_pi = 6.283185307179586;
     return static_cast<uint8_t>(std::lround(222 + 33 * std::cos(two_pi * folds * x / image_px)));
 }
 
