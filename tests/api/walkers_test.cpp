@@ -105,7 +105,9 @@ TEST_F(Walkers, TellWhenAndWhereTheirFeetStand)
             EXPECT_LT(plant.begin_s, plant.end_s);
             EXPECT_GE(plant.end_s, 0.5);
             EXPECT_LE(plant.begin_s, 4.5);
-            if (i > 0) EXPECT_GT(plant.begin_s, plants[i - 1].end_s);
+            if (i > 0) {
+                EXPECT_GT(plant.begin_s, plants[i - 1].end_s);
+            }
             const double middle_s = (plant.begin_s + plant.end_s) / 2;
             const std::vector<double> shown = place(crowd, actor, measured.legs[foot].toes, middle_s);
             EXPECT_LT(std::hypot(shown[0] - plant.position[0], shown[2] - plant.position[2]), 0.06);
