@@ -5,8 +5,8 @@
 #include <map>
 #include <optional>
 
+#include "samples/cli/frame_division.h"
 #include "samples/cli/frame_worker.h"
-#include "samples/cli/provenance.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/processes/crew.h"
 #include "samples/processes/machine_share.h"
@@ -18,20 +18,9 @@ namespace cli
 namespace
 {
 
-constexpr uint32_t rank_depth = 2;  // RankTeam::depth()
-
-// What the processes share: in a job of a scheduler its cores alone.
-int shared_cores() { return is_scheduled() ? processes::scheduled_cores() : core_count(); }
-
 Json task_of(const char *kind, const Frame &frame)
 {
     return {{"task", kind}, {"number", frame.number}, {"time_s", frame.time_s}, {"bare", frame.path == "-"}};
-}
-
-// Frames: one place for each task that a worker may have. Tiles: two pictures in turn.
-size_t place_count(const RenderArguments &a, uint32_t workers, uint32_t depth)
-{
-    return division_of(a) == Division::frames ? size_t(workers) * depth : 2;
 }
 
 // What pixels depend on must be one and the same, as in the jobs of a film (docs/films.md).
@@ -45,12 +34,23 @@ void expect_same_pixels(std::optional<Json> &first, const Json &now, uint32_t wo
                                   (key == "processor" ? "; --portable makes processors alike" : ""));
 }
 
-// The worker of a rank, with the cores of its machine shared among the ranks on it.
-processes::Answering rank_answering(const RenderArguments &a, processes::Ranks &ranks, uint8_t *pages)
+// All ranks have as many.
+size_t bytes_of_places(const RenderArguments &a, const processes::Ranks &ranks)
 {
-    processes::share_mesa_threads(ranks.count_here(), core_count());
-    const int threads = a.setup.threads > 0 ? a.setup.threads : std::max(1, core_count() / ranks.count_here());
-    const auto made = std::make_shared<FrameWorker>(a, threads, pages, &ranks);
+    return place_bytes(a) * place_count(a, static_cast<uint32_t>(ranks.count()), processes::RankTeam::tasks_each);
+}
+
+int cores_each(const RenderArguments &a, const processes::Ranks *ranks)
+{
+    if (ranks) return processes::cores_of_rank(ranks->count(), ranks->count_here(), core_count());
+    return processes::cores_of_worker(process_count(a), core_count());
+}
+
+// Made in the process that draws. `ranks`: those of the job, or null.
+processes::Answering answering_of(const RenderArguments &a, uint8_t *pages, processes::Ranks *ranks)
+{
+    processes::take_mesa_threads(cores_each(a, ranks));
+    const auto made = std::make_shared<FrameWorker>(a, threads_each(a, ranks), pages, ranks);
     return [made](const std::string &task) { return made->answer(Json::parse(task)); };
 }
 
@@ -59,14 +59,12 @@ processes::Answering rank_answering(const RenderArguments &a, processes::Ranks &
 int process_count(const RenderArguments &a)
 {
     if (processes::ranks_started() > 1) return processes::ranks_started();
-    return a.processes > 0 ? a.processes : is_scheduled() ? processes::scheduled_cores() : 1;
+    return a.processes > 0 ? a.processes : processes::is_scheduled() ? processes::scheduled_cores() : 1;
 }
 
-int threads_each(const RenderArguments &a)
+int threads_each(const RenderArguments &a, const processes::Ranks *ranks)
 {
-    const int count = process_count(a);
-    if (a.setup.threads > 0 || count == 1) return thread_count(a.setup);
-    return std::max(1, shared_cores() / count);
+    return a.setup.threads > 0 || process_count(a) == 1 ? thread_count(a.setup) : cores_each(a, ranks);
 }
 
 struct FrameCrew::State {
@@ -76,19 +74,16 @@ struct FrameCrew::State {
           pages(stride * place_count(a, static_cast<uint32_t>(process_count(a)), 1)),
           borders(a.setup.width, process_count(a))
     {
-        const uint32_t count = static_cast<uint32_t>(process_count(a));
-        team = std::make_unique<processes::Crew>(count, [this, count](uint32_t) {
-            processes::share_mesa_threads(static_cast<int>(count), shared_cores());
-            const auto made = std::make_shared<FrameWorker>(arguments, threads_each(arguments), pages.data());
-            return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+        team = std::make_unique<processes::Crew>(static_cast<uint32_t>(process_count(a)), [this](uint32_t) {
+            return answering_of(arguments, pages.data(), nullptr);
         });
     }
     State(const RenderArguments &a, processes::Ranks &ranks)
         : arguments(a),
           stride(place_bytes(a)),
-          pages(stride * place_count(a, static_cast<uint32_t>(ranks.count()), rank_depth)),
+          pages(bytes_of_places(a, ranks)),
           borders(a.setup.width, ranks.count()),
-          team(std::make_unique<processes::RankTeam>(ranks, rank_answering(a, ranks, pages.data()), pages.data()))
+          team(std::make_unique<processes::RankTeam>(ranks, answering_of(a, pages.data(), &ranks), pages.data()))
     {
     }
 
@@ -112,8 +107,8 @@ FrameCrew::FrameCrew(const RenderArguments &arguments, processes::Ranks *ranks)
 
 void FrameCrew::serve(const RenderArguments &a, processes::Ranks &ranks)
 {
-    std::vector<uint8_t> pages(place_bytes(a) * place_count(a, static_cast<uint32_t>(ranks.count()), rank_depth));
-    processes::serve(ranks, rank_answering(a, ranks, pages.data()), pages.data());
+    std::vector<uint8_t> pages(bytes_of_places(a, ranks));
+    processes::serve(ranks, answering_of(a, pages.data(), &ranks), pages.data());
 }
 
 FrameCrew::~FrameCrew() = default;

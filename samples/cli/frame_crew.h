@@ -36,8 +36,9 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The number of processes that the arguments ask for, and of the threads of each.
+// The number of processes that draw, ranks of a job included.
 int process_count(const RenderArguments &arguments);
-int threads_each(const RenderArguments &arguments);
+// The threads of this process and of each that it starts. `ranks`: those of the job, or null.
+int threads_each(const RenderArguments &arguments, const processes::Ranks *ranks);
 
 }  // namespace cli

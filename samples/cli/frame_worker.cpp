@@ -3,6 +3,7 @@
 #include <cstring>
 #include <ctime>
 
+#include "samples/cli/frame_division.h"
 #include "samples/cli/provenance.h"
 
 namespace cli
@@ -20,21 +21,6 @@ double cpu_ms()
 Frame frame_of(const Json &task) { return {task["number"], task["time_s"], task["bare"].get<bool>() ? "-" : ""}; }
 
 }  // namespace
-
-Division division_of(const RenderArguments &a)
-{
-    if (a.divide.empty()) return a.frames.empty() ? Division::tiles : Division::frames;
-    return a.divide == "tiles" ? Division::tiles : Division::frames;
-}
-
-// A PNG may be a little larger than its pixels.
-size_t place_bytes(const RenderArguments &a)
-{
-    const size_t width = static_cast<size_t>(a.setup.width), height = static_cast<size_t>(a.setup.height);
-    if (division_of(a) == Division::tiles) return 3 * width * height;
-    const size_t pixels = (3 * width + 1) * height;
-    return pixels + pixels / 64 + 65536;
-}
 
 FrameWorker::FrameWorker(const RenderArguments &a, int threads, uint8_t *pages, processes::Ranks *ranks)
     : drawer_(a, threads, ranks), pages_(pages), place_bytes_(place_bytes(a)), is_rank_(ranks != nullptr)

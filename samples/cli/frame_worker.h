@@ -7,13 +7,6 @@
 namespace cli
 {
 
-// How processes share the work: frames take the least time together, tiles take the least time for each frame.
-enum class Division { frames, tiles };
-Division division_of(const RenderArguments &arguments);
-
-// The bytes that one frame may need, or one picture that is drawn in tiles.
-size_t place_bytes(const RenderArguments &arguments);
-
 class FrameWorker
 {
 public:

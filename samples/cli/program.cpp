@@ -7,8 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "samples/cli/provenance.h"
 #include "samples/io/unfinished.h"
+#include "samples/processes/machine_share.h"
 #include "samples/scenes/check.h"
 
 namespace cli
@@ -47,7 +47,7 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     app.require_subcommand(1);
     app.failure_message(CLI::FailureMessage::simple);
     // A scheduler's job is one of as many as there are cores.
-    if (is_scheduled()) setenv("LP_NUM_THREADS", "0", 0);
+    if (processes::is_scheduled()) processes::take_mesa_threads(1);
     Work chosen;
     for (const Add add : subcommands) add(app, chosen);
 

@@ -109,11 +109,4 @@ nlohmann::ordered_json provenance(const std::string &gl)
     return {{"build", build()}, {"gl", gl}, {"processor", processor()}, {"drivers", drivers()}};
 }
 
-bool is_scheduled()
-{
-    for (const char *name : {"SLURM_JOB_ID", "PBS_JOBID", "LSB_JOBID", "SGE_TASK_ID"})
-        if (std::getenv(name)) return true;
-    return false;
-}
-
 }  // namespace cli

@@ -18,7 +18,4 @@ void use_portable_drivers();
 // `gl`: what the context calls itself. Keys: build, gl, processor, drivers.
 nlohmann::ordered_json provenance(const std::string &gl);
 
-// True in a job of a scheduler (Slurm, PBS, LSF, Grid Engine).
-bool is_scheduled();
-
 }  // namespace cli

@@ -25,7 +25,7 @@ std::string camera_of(const RenderArguments &a, const scenes::SceneOptions &opti
     return follows ? "follow:" + a.setup.described->follow : "overview";
 }
 
-Json about(const RenderArguments &a, const scenes::SceneOptions &options)
+Json about(const RenderArguments &a, const scenes::SceneOptions &options, const processes::Ranks *ranks)
 {
     Json report;
     report["claque"] = version();
@@ -39,7 +39,7 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options)
     if (!a.colours.file.empty()) report["colours"] = a.colours.file;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
-    report["threads"] = threads_each(a);
+    report["threads"] = threads_each(a, ranks);
     if (process_count(a) > 1) report["processes"] = process_count(a);
     return report;
 }
@@ -51,10 +51,10 @@ public:
     Rendering(const RenderArguments &a, processes::Ranks *ranks) : a_(a)
     {
         if (ranks || process_count(a) > 1) crew_.emplace(a, ranks);
-        else drawer_.emplace(a, threads_each(a));
+        else drawer_.emplace(a, threads_each(a, nullptr));
         LoadedCharacter none;
         options_ = scene_options(a.setup, none);
-        report_ = about(a, options_);
+        report_ = about(a, options_, ranks);
         if (ranks) report_["ranks"] = ranks->count();
     }
 

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "samples/cli/files.h"
-#include "samples/cli/provenance.h"
+#include "samples/processes/machine_share.h"
 
 namespace cli
 {
@@ -90,7 +90,10 @@ CLI::IsMember scene_names()
     return CLI::IsMember(names);
 }
 
-int thread_count(const SceneArguments &a) { return a.threads > 0 ? a.threads : is_scheduled() ? 1 : core_count(); }
+int thread_count(const SceneArguments &a)
+{
+    return a.threads > 0 ? a.threads : processes::is_scheduled() ? 1 : core_count();
+}
 
 int core_count()
 {

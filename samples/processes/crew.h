@@ -1,7 +1,6 @@
 // Worker processes that answer tasks. They are forked, without exec, by a process that has neither threads nor GL, so
 // each starts with all that its parent has read and needs no arguments. A worker that ends is replaced, and its task is
-// sent again. If the process that
-// made them ends, in any way, its workers end too.
+// sent again. If the process that made them ends, in any way, its workers end too.
 #pragma once
 
 #include <sys/types.h>

@@ -12,13 +12,15 @@ namespace processes
 class RankTeam : public Team
 {
 public:
+    // Two, so that no rank waits while rank 0 answers a task of its own.
+    static constexpr uint32_t tasks_each = 2;
+
     // Of rank 0. `own` answers its own tasks. All ranks have pages of one size; answers' pixels are copied into these.
     RankTeam(Ranks &ranks, Answering own, uint8_t *pages) : ranks_(ranks), own_(std::move(own)), pages_(pages) {}
     ~RankTeam() override;  // ends serve() of the others
 
     uint32_t size() const override { return static_cast<uint32_t>(ranks_.count()); }
-    // Two, so that no rank waits while rank 0 answers a task of its own.
-    uint32_t depth() const override { return 2; }
+    uint32_t depth() const override { return tasks_each; }
     void send(uint32_t worker, const std::string &task) override;
     Answer wait() override;
     uint32_t replaced() const override { return 0; }

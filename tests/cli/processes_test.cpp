@@ -135,6 +135,7 @@ TEST_F(Processes, OfASchedulersJobAreAsManyAsItsCores)
     const Json alone = picture("plaza", "5", {});
     unsetenv("SLURM_JOB_ID");
     EXPECT_EQ(shared["processes"], 2);
+    EXPECT_EQ(shared["threads"], 1);
     EXPECT_FALSE(alone.contains("processes"));
     EXPECT_EQ(shared["frames"][0]["picture_hash"], alone["frames"][0]["picture_hash"]);
 }

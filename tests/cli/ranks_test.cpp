@@ -97,6 +97,23 @@ TEST_F(Ranks, ThatFailAreNamedAndEndTheJob)
     EXPECT_TRUE(left().empty());
 }
 
+// Slurm counts the cores of each rank.
+TEST_F(Ranks, TakeAsManyThreadsAsTheirSchedulerGaveCores)
+{
+    // Their environment alone says so: mpirun would look for Slurm.
+    const auto threads = [this](const Words &variables) {
+        Words words = {"mpirun", "-n", "2", "env", "SLURM_JOB_ID=7"};
+        words.insert(words.end(), variables.begin(), variables.end());
+        words.insert(words.end(), {CLAQUE_COMMAND, "render", "--scene", "plaza", "--count", "2", "--size", "32x24",
+                                   "--out", path("a.png"), "--json", path("a.json")});
+        const Outcome done = run_program(words);
+        EXPECT_EQ(done.code, 0) << done.err;
+        return nlohmann::json::parse(file_text(path("a.json")))["threads"].get<int>();
+    };
+    EXPECT_EQ(threads({}), 1);
+    EXPECT_EQ(threads({"SLURM_CPUS_PER_TASK=3"}), 3);
+}
+
 // A job that is started again draws what is missing.
 TEST_F(Ranks, GoOnWhereAJobStopped)
 {
