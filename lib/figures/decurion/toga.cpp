@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "lib/figures/brush.h"
-#include "lib/figures/cloth.h"
 #include "lib/figures/decurion/decurion.h"
+#include "lib/figures/gown.h"
 #include "lib/figures/skeleton.h"
 
 namespace claque::figures::decurion
@@ -13,8 +13,7 @@ namespace claque::figures::decurion
 namespace
 {
 
-const std::array<glm::vec2, 7> directions = {
-    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+using gown::Ring, gown::add_row, gown::directions;
 
 const std::array<float, columns> folds = {
     {-0.7f, 1.2f, -0.7f, 0.9f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.8f}};
@@ -37,27 +36,27 @@ const std::array<Girths, 11> girths = {{
     {1.230f, 0.178f, 0.154f, 0.130f, 0.000f},
 }};
 
-const std::array<glm::vec3, 7> breast = {{{0, 1.282f, 0.132f},
-                                          {0.076f, 1.280f, 0.138f},
-                                          {0.140f, 1.280f, 0.084f},
-                                          {0.165f, 1.282f, -0.006f},
-                                          {0.142f, 1.286f, -0.086f},
-                                          {0.078f, 1.290f, -0.126f},
-                                          {0, 1.290f, -0.122f}}};
-const std::array<glm::vec3, 7> armpit = {{{0, 1.345f, 0.118f},
-                                          {0.072f, 1.345f, 0.126f},
-                                          {0.146f, 1.350f, 0.066f},
-                                          {0.162f, 1.340f, -0.006f},
-                                          {0.148f, 1.354f, -0.082f},
-                                          {0.070f, 1.364f, -0.130f},
-                                          {0, 1.364f, -0.128f}}};
-const std::array<glm::vec3, 7> upper = {{neckline[0],
-                                         neckline[1],
-                                         {0.164f, 1.410f, 0.056f},
-                                         {0, 0, 0},  // the armhole
-                                         {0.166f, 1.412f, -0.072f},
-                                         neckline[3],
-                                         neckline[4]}};
+const gown::Half breast = {{{0, 1.282f, 0.132f},
+                            {0.076f, 1.280f, 0.138f},
+                            {0.140f, 1.280f, 0.084f},
+                            {0.165f, 1.282f, -0.006f},
+                            {0.142f, 1.286f, -0.086f},
+                            {0.078f, 1.290f, -0.126f},
+                            {0, 1.290f, -0.122f}}};
+const gown::Half armpit = {{{0, 1.345f, 0.118f},
+                            {0.072f, 1.345f, 0.126f},
+                            {0.146f, 1.350f, 0.066f},
+                            {0.162f, 1.340f, -0.006f},
+                            {0.148f, 1.354f, -0.082f},
+                            {0.070f, 1.364f, -0.130f},
+                            {0, 1.364f, -0.128f}}};
+const gown::Half upper = {{neckline[0],
+                           neckline[1],
+                           {0.164f, 1.410f, 0.056f},
+                           {0, 0, 0},  // the armhole
+                           {0.166f, 1.412f, -0.072f},
+                           neckline[3],
+                           neckline[4]}};
 const std::array<glm::vec3, 3> shoulder_seam = {{neckline[2], {0.138f, 1.466f, -0.022f}, {0.180f, 1.456f, -0.016f}}};
 
 // Girths: front, back, below, above.
@@ -67,7 +66,7 @@ const std::vector<SleeveRow> toga_sleeve = {{0.105f, {0.076f, 0.080f, 0.086f, 0.
                                             {0.215f, {0.090f, 0.096f, 0.112f, 0.066f}},
                                             {0.325f, {0.094f, 0.104f, 0.138f, 0.060f}}};
 
-using Ring = std::array<uint32_t, columns>;
+constexpr gown::Charts chest = {chest_front, chest_back};
 
 Girths girths_at(float y)
 {
@@ -108,44 +107,13 @@ Ring add_row(Mesh &mesh, HeightAndOut at)
     return ring;
 }
 
-Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
-{
-    Ring ring{};
-    for (int k = 0; k < columns; ++k)
-        if (half[half_of<columns>(k)].y > 0)
-            ring[static_cast<size_t>(k)] =
-                mesh.add(mirrored(half[half_of<columns>(k)], side_of<columns>(k)), Region::torso, side_of<columns>(k));
-    return ring;
-}
-
-void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
-{
-    mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
-    mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
-}
-
 void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
 {
-    const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
-    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
-    const auto chain = [&](int first, float height, bool outwards) {
-        Chain c;
-        for (size_t i = 0; i < 3; ++i)
-            c.push_back(
-                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
-        return c;
-    };
-    const auto at = [left](const Ring &ring, int k) {
-        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
-    };
-    const int front = left ? 1 : -2, back = left ? 4 : 7;
-    mesh.sew(chest_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
-    mesh.sew(chest_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
-    const std::array<uint32_t, 6> armhole = {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
-    add_sleeve(mesh, side, around(armhole, {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1}),
-               side == Side::left ? toga_sleeve : tunic_sleeve, 6, 0.14f);
+    const gown::Armhole armhole = sew_shoulder(mesh, chest, side, low, high, seam, t);
+    add_sleeve(mesh, side, around(armhole, gown::armhole_places), side == Side::left ? toga_sleeve : tunic_sleeve, 6,
+               0.14f);
 }
 
 }  // namespace
@@ -172,15 +140,14 @@ void add_toga(Mesh &mesh)
     rings.push_back(add_row(mesh, breast)), heights.push_back(1.290f);
     rings.push_back(add_row(mesh, armpit)), heights.push_back(1.365f);
     for (size_t r = 0; r + 1 < rings.size(); ++r)
-        sew_rows(mesh, r < waist ? toga_front : chest_front, r < waist ? toga_back : chest_back, rings[r], rings[r + 1],
+        sew_rows(mesh, r < waist ? gown::Charts{toga_front, toga_back} : chest, rings[r], rings[r + 1],
                  {heights[r], heights[r + 1]});
     const uint32_t inside = mesh.add(glm::vec3(0, 0.36f, 0), skirts);
     mesh.fan(toga_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring high = add_row(mesh, upper);
     constexpr float t = 1.440f;
-    mesh.sew(chest_front, Winding::as_given, span(rings.back(), -2, 5, heights.back()), span(high, -2, 5, t), Along::s);
-    mesh.sew(chest_back, Winding::as_given, span(rings.back(), 4, 5, heights.back()), span(high, 4, 5, t), Along::s);
+    sew_yoke(mesh, chest, rings.back(), high, {heights.back(), t});
     for (const Side side : {Side::left, Side::right}) add_shoulder(mesh, side, rings.back(), high, t);
 }
 

@@ -1,8 +1,7 @@
 // The stola: twelve columns of cloth from the ankles over hips and the girdle under the breast to the armpits, with a
 // yoke and short sleeves. Between the palla's lower edge and the waist the same surface is the palla, which covers the
 // stola there.
-
-#include "lib/figures/cloth.h"
+#include "lib/figures/gown.h"
 #include "lib/figures/patrician/patrician.h"
 #include "lib/figures/skeleton.h"
 
@@ -12,10 +11,8 @@ namespace claque::figures::patrician
 namespace
 {
 
-constexpr int columns = 12;  // 0 in front, 3 at the left side, 6 at the back
-
-const std::array<glm::vec2, 7> directions = {
-    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+using gown::Ring, gown::add_row, gown::columns, gown::directions;
+constexpr gown::Charts bodice_charts = {bodice_front, bodice_back};
 
 const std::array<float, columns> folds = {
     {-0.9f, 1.0f, -0.5f, 0.8f, -0.8f, 1.0f, -0.8f, 0.9f, -0.7f, 0.9f, -0.8f, 0.9f}};
@@ -38,35 +35,33 @@ const std::array<Row, 8> rows = {{
     {1.196f, 0.136f, 0.104f, 0.098f, -0.006f, 0.003f, 0, 0},       // girdle
 }};
 
-const std::array<glm::vec3, 7> bust = {{{0, 1.276f, 0.118f},
-                                        {0.074f, 1.274f, 0.158f},
-                                        {0.130f, 1.276f, 0.088f},
-                                        {0.150f, 1.276f, -0.004f},
-                                        {0.126f, 1.280f, -0.088f},
-                                        {0.070f, 1.284f, -0.118f},
-                                        {0, 1.284f, -0.112f}}};
-const std::array<glm::vec3, 7> armpit = {{{0, 1.340f, 0.116f},
-                                          {0.070f, 1.340f, 0.134f},
-                                          {0.134f, 1.346f, 0.068f},
-                                          {0.148f, 1.336f, -0.006f},
-                                          {0.134f, 1.352f, -0.086f},
-                                          {0.068f, 1.362f, -0.122f},
-                                          {0, 1.362f, -0.120f}}};
-const std::array<glm::vec3, 7> upper = {{bodice_neckline[0],
-                                         bodice_neckline[1],
-                                         {0.153f, 1.408f, 0.050f},
-                                         {0, 0, 0},  // the armhole
-                                         {0.155f, 1.410f, -0.070f},
-                                         bodice_neckline[3],
-                                         bodice_neckline[4]}};
+const gown::Half bust = {{{0, 1.276f, 0.118f},
+                          {0.074f, 1.274f, 0.158f},
+                          {0.130f, 1.276f, 0.088f},
+                          {0.150f, 1.276f, -0.004f},
+                          {0.126f, 1.280f, -0.088f},
+                          {0.070f, 1.284f, -0.118f},
+                          {0, 1.284f, -0.112f}}};
+const gown::Half armpit = {{{0, 1.340f, 0.116f},
+                            {0.070f, 1.340f, 0.134f},
+                            {0.134f, 1.346f, 0.068f},
+                            {0.148f, 1.336f, -0.006f},
+                            {0.134f, 1.352f, -0.086f},
+                            {0.068f, 1.362f, -0.122f},
+                            {0, 1.362f, -0.120f}}};
+const gown::Half upper = {{bodice_neckline[0],
+                           bodice_neckline[1],
+                           {0.153f, 1.408f, 0.050f},
+                           {0, 0, 0},  // the armhole
+                           {0.155f, 1.410f, -0.070f},
+                           bodice_neckline[3],
+                           bodice_neckline[4]}};
 const std::array<glm::vec3, 3> shoulder_seam = {
     {bodice_neckline[2], {0.138f, 1.458f, -0.022f}, {0.172f, 1.446f, -0.016f}}};
 
 // Girths: front, back, below, above.
 const std::vector<SleeveRow> sleeve_rows = {{0.100f, {0.052f, 0.054f, 0.062f, 0.043f}},
                                             {0.255f, {0.058f, 0.058f, 0.072f, 0.042f}}};
-
-using Ring = std::array<uint32_t, columns>;
 
 Ring add_row(Mesh &mesh, const Row &row)
 {
@@ -83,43 +78,12 @@ Ring add_row(Mesh &mesh, const Row &row)
     return ring;
 }
 
-Ring add_row(Mesh &mesh, const std::array<glm::vec3, 7> &half)
-{
-    Ring ring{};
-    for (int k = 0; k < columns; ++k)
-        if (half[half_of<columns>(k)].y > 0)
-            ring[static_cast<size_t>(k)] =
-                mesh.add(mirrored(half[half_of<columns>(k)], side_of<columns>(k)), Region::torso, side_of<columns>(k));
-    return ring;
-}
-
-void sew_rows(Mesh &mesh, Chart front, Chart back, const Ring &low, const Ring &high, glm::vec2 t)
-{
-    mesh.sew(front, Winding::as_given, span(low, -3, 7, t.x), span(high, -3, 7, t.y), Along::s);
-    mesh.sew(back, Winding::as_given, span(low, 3, 7, t.x), span(high, 3, 7, t.y), Along::s);
-}
-
 void add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
 {
-    const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
     for (size_t i = 0; i < 3; ++i) seam[i] = mesh.add(mirrored(shoulder_seam[i], side), Region::torso, side);
-    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
-    const auto chain = [&](int first, float height, bool outwards) {
-        Chain c;
-        for (size_t i = 0; i < 3; ++i)
-            c.push_back(
-                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
-        return c;
-    };
-    const auto at = [left](const Ring &ring, int k) {
-        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
-    };
-    const int front = left ? 1 : -2, back = left ? 4 : 7;
-    mesh.sew(bodice_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
-    mesh.sew(bodice_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
-    const std::array<uint32_t, 6> armhole = {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
-    add_sleeve(mesh, side, around(armhole, {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1}), sleeve_rows, 6, 0.14f);
+    const gown::Armhole armhole = sew_shoulder(mesh, bodice_charts, side, low, high, seam, t);
+    add_sleeve(mesh, side, around(armhole, gown::armhole_places), sleeve_rows, 6, 0.14f);
 }
 
 }  // namespace
@@ -133,16 +97,14 @@ void add_stola(Mesh &mesh)
     rings.push_back(add_row(mesh, bust)), heights.push_back(1.290f);
     rings.push_back(add_row(mesh, armpit)), heights.push_back(1.365f);
     for (size_t r = 0; r + 1 < rings.size(); ++r)
-        sew_rows(mesh, r < waist ? gown_front : bodice_front, r < waist ? gown_back : bodice_back, rings[r],
-                 rings[r + 1], {heights[r], heights[r + 1]});
+        sew_rows(mesh, r < waist ? gown::Charts{gown_front, gown_back} : bodice_charts, rings[r], rings[r + 1],
+                 {heights[r], heights[r + 1]});
     const uint32_t inside = mesh.add(glm::vec3(0, 0.30f, 0), heavy_cloth);
     mesh.fan(gown_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring high = add_row(mesh, upper);
     constexpr float t = 1.440f;
-    mesh.sew(bodice_front, Winding::as_given, span(rings.back(), -2, 5, heights.back()), span(high, -2, 5, t),
-             Along::s);
-    mesh.sew(bodice_back, Winding::as_given, span(rings.back(), 4, 5, heights.back()), span(high, 4, 5, t), Along::s);
+    sew_yoke(mesh, bodice_charts, rings.back(), high, {heights.back(), t});
     for (const Side side : {Side::left, Side::right}) add_shoulder(mesh, side, rings.back(), high, t);
 }
 

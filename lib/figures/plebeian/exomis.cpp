@@ -3,7 +3,7 @@
 // the right one continues into the arm.
 
 #include "lib/figures/brush.h"
-#include "lib/figures/cloth.h"
+#include "lib/figures/gown.h"
 #include "lib/figures/plebeian/plebeian.h"
 #include "lib/figures/skeleton.h"
 
@@ -13,10 +13,8 @@ namespace claque::figures::plebeian
 namespace
 {
 
-constexpr int columns = 12;  // 0 in front, 3 at the left side, 6 at the back
-
-const std::array<glm::vec2, 7> directions = {
-    {{0, 1}, {0.52f, 0.88f}, {0.88f, 0.50f}, {1, 0}, {0.88f, -0.50f}, {0.52f, -0.88f}, {0, -1}}};
+using gown::Armhole, gown::Half, gown::Ring, gown::columns, gown::directions;
+constexpr gown::Charts tunic = {Chart::tunic_front, Chart::tunic_back};
 
 // The offset of each column where the cloth falls in folds, as a fraction of the row's fold.
 const std::array<float, columns> folds = {
@@ -34,8 +32,6 @@ const std::array<Row, 6> rows = {{
     {1.040f, 0.155f, 0.122f, 0.117f, 0.000f, 0.012f, 0.014f},  // overhang
     {1.195f, 0.147f, 0.120f, 0.113f, -0.003f, 0.008f, 0.000f},
 }};
-
-using Half = std::array<glm::vec3, 7>;
 
 // The row of the armpits and the row above it, columns 0 to 6; the left side is clothed, the right one bare.
 const Half armpit_left = {{{0, 1.338f, 0.112f},
@@ -68,8 +64,6 @@ const std::array<glm::vec3, 3> seam_right = {{neckline[2], {0.132f, 1.456f, -0.0
 const std::vector<SleeveRow> cap_rows = {{0.100f, {0.060f, 0.060f, 0.066f, 0.052f}},
                                          {0.200f, {0.064f, 0.062f, 0.076f, 0.049f}}};
 const SleeveRow deltoid = {0.092f, {0.051f, 0.052f, 0.046f, 0.051f}};
-
-using Ring = std::array<uint32_t, columns>;
 
 Ring add_row(Mesh &mesh, const Row &row)
 {
@@ -111,18 +105,9 @@ Ring twin(Mesh &mesh, const Ring &ring)
     return made;
 }
 
-void sew_rows(Mesh &mesh, const Ring &low, const Ring &high, float t_low, float t_high)
-{
-    mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -3, 7, t_low), span(high, -3, 7, t_high), Along::s);
-    mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 3, 7, t_low), span(high, 3, 7, t_high), Along::s);
-}
-
-using Armhole = std::array<uint32_t, 6>;
-constexpr std::array<float, 7> armhole_places = {0, 0.24f, 0.48f, 0.62f, 0.75f, 0.88f, 1};
-
 void add_cap_sleeve(Mesh &mesh, const Armhole &armhole)
 {
-    add_sleeve(mesh, Side::left, around(armhole, armhole_places), cap_rows, 6, 0.13f);
+    add_sleeve(mesh, Side::left, around(armhole, gown::armhole_places), cap_rows, 6, 0.13f);
     add_arm(mesh, Side::left);
 }
 
@@ -133,7 +118,7 @@ void add_bare_shoulder(Mesh &mesh, const Armhole &armhole)
         ring_chain(add_ring(mesh, Region::sleeve, Side::right, 6, shoulder + arm_direction() * deltoid.along,
                             -arm_dorsal(), arm_thumbward(), deltoid.girth),
                    -deltoid.along);
-    mesh.sew(Chart::sleeve_r, winding_of(Side::right), around(armhole, armhole_places), muscle, Along::s);
+    mesh.sew(Chart::sleeve_r, winding_of(Side::right), around(armhole, gown::armhole_places), muscle, Along::s);
     // The arm begins with a ring of six.
     const uint32_t first = static_cast<uint32_t>(mesh.points.size());
     add_arm(mesh, Side::right);
@@ -144,24 +129,10 @@ void add_bare_shoulder(Mesh &mesh, const Armhole &armhole)
 // From the row of the armpits, at height `t` of the charts, to the top of the shoulder; returns the armhole.
 Armhole add_shoulder(Mesh &mesh, Side side, const Ring &low, const Ring &high, float t)
 {
-    const bool left = side == Side::left;
     std::array<uint32_t, 3> seam{};
-    for (size_t i = 0; i < 3; ++i) seam[i] = shared(mesh, mirrored((left ? seam_left : seam_right)[i], side), side);
-    // To the right as seen from outside: from the neck to the arm, or from the arm to the neck.
-    const auto chain = [&](int first, float height, bool outwards) {
-        Chain c;
-        for (size_t i = 0; i < 3; ++i)
-            c.push_back(
-                {seam[outwards ? i : 2 - i], glm::vec2(static_cast<float>(first) + static_cast<float>(i) / 2, height)});
-        return c;
-    };
-    const auto at = [left](const Ring &ring, int k) {
-        return ring[static_cast<size_t>(left ? k : (columns - k) % columns)];
-    };
-    const int front = left ? 1 : -2, back = left ? 4 : 7;
-    mesh.sew(Chart::tunic_front, Winding::as_given, span(high, front, 2, t), chain(front, t + 0.09f, left), Along::s);
-    mesh.sew(Chart::tunic_back, Winding::as_given, span(high, back, 2, t), chain(back, t + 0.08f, !left), Along::s);
-    return {at(high, 4), seam[2], at(high, 2), at(low, 2), at(low, 3), at(low, 4)};
+    for (size_t i = 0; i < 3; ++i)
+        seam[i] = shared(mesh, mirrored((side == Side::left ? seam_left : seam_right)[i], side), side);
+    return sew_shoulder(mesh, tunic, side, low, high, seam, t);
 }
 
 }  // namespace
@@ -192,15 +163,14 @@ void add_exomis(Mesh &mesh)
     heights.push_back(t += 0.15f);
     constexpr size_t fold = 3;  // from here the overhang falls to its lip, the next row, with a sharp edge at both
     for (size_t r = 0; r + 1 < rings.size(); ++r)
-        sew_rows(mesh, r == fold || r == fold + 1 ? twin(mesh, rings[r]) : rings[r], rings[r + 1], heights[r],
-                 heights[r + 1]);
+        sew_rows(mesh, tunic, r == fold || r == fold + 1 ? twin(mesh, rings[r]) : rings[r], rings[r + 1],
+                 {heights[r], heights[r + 1]});
     const uint32_t inside = mesh.add(glm::vec3(0, 0.82f, 0), short_skirt);
     mesh.fan(Chart::tunic_inside, Winding::reversed, doubled(mesh, span(rings[0], 0, columns + 1, 0)),
              {inside, glm::vec2(-1, 1)});
     const Ring &low = rings.back(), high = add_row(mesh, upper_left, upper_right);
     const float top = t + 0.075f;
-    mesh.sew(Chart::tunic_front, Winding::as_given, span(low, -2, 5, t), span(high, -2, 5, top), Along::s);
-    mesh.sew(Chart::tunic_back, Winding::as_given, span(low, 4, 5, t), span(high, 4, 5, top), Along::s);
+    sew_yoke(mesh, tunic, low, high, {t, top});
     add_cap_sleeve(mesh, add_shoulder(mesh, Side::left, low, high, top));
     add_bare_shoulder(mesh, add_shoulder(mesh, Side::right, low, high, top));
 }
