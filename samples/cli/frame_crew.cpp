@@ -8,8 +8,7 @@
 #include "samples/cli/frame_division.h"
 #include "samples/cli/frame_worker.h"
 #include "samples/cli/stopwatch.h"
-#include "samples/processes/crew.h"
-#include "samples/processes/machine_share.h"
+#include "samples/cli/work_share.h"
 #include "samples/processes/rank_team.h"
 #include "samples/processes/shared_pages.h"
 
@@ -23,67 +22,30 @@ Json task_of(const char *kind, const Frame &frame)
     return {{"task", kind}, {"number", frame.number}, {"time_s", frame.time_s}, {"bare", frame.path == "-"}};
 }
 
-// What pixels depend on must be one and the same, as in the jobs of a film (docs/films.md).
-void expect_same_pixels(std::optional<Json> &first, const Json &now, uint32_t worker)
+// All processes of a run have as many.
+size_t bytes_of_places(const RenderArguments &a, const processes::Ranks *ranks)
 {
-    if (!first) first = now;
-    for (const auto &[key, value] : first->items())
-        if (now[key] != value)
-            throw scenes::Failure("rank " + std::to_string(worker) + " would draw other pixels: its " + key + " is " +
-                                  now[key].dump() + ", another one's is " + value.dump() +
-                                  (key == "processor" ? "; --portable makes processors alike" : ""));
+    return place_bytes(a) * place_count(a, static_cast<uint32_t>(process_count(a.processes)),
+                                        ranks ? processes::RankTeam::tasks_each : 1);
 }
 
-// All ranks have as many.
-size_t bytes_of_places(const RenderArguments &a, const processes::Ranks &ranks)
+MakeAnswering answering_by(const RenderArguments &a, uint8_t *pages, processes::Ranks *ranks)
 {
-    return place_bytes(a) * place_count(a, static_cast<uint32_t>(ranks.count()), processes::RankTeam::tasks_each);
-}
-
-int cores_each(const RenderArguments &a, const processes::Ranks *ranks)
-{
-    if (ranks) return processes::cores_of_rank(ranks->count(), ranks->count_here(), core_count());
-    return processes::cores_of_worker(process_count(a), core_count());
-}
-
-// Made in the process that draws. `ranks`: those of the job, or null.
-processes::Answering answering_of(const RenderArguments &a, uint8_t *pages, processes::Ranks *ranks)
-{
-    processes::take_mesa_threads(cores_each(a, ranks));
-    const auto made = std::make_shared<FrameWorker>(a, threads_each(a, ranks), pages, ranks);
-    return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+    return [&a, pages, ranks](int threads) -> processes::Answering {
+        const auto made = std::make_shared<FrameWorker>(a, threads, pages, ranks);
+        return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+    };
 }
 
 }  // namespace
 
-int process_count(const RenderArguments &a)
-{
-    if (processes::ranks_started() > 1) return processes::ranks_started();
-    return a.processes > 0 ? a.processes : processes::is_scheduled() ? processes::scheduled_cores() : 1;
-}
-
-int threads_each(const RenderArguments &a, const processes::Ranks *ranks)
-{
-    return a.setup.threads > 0 || process_count(a) == 1 ? thread_count(a.setup) : cores_each(a, ranks);
-}
-
 struct FrameCrew::State {
-    explicit State(const RenderArguments &a)
-        : arguments(a),
-          stride(place_bytes(a)),
-          pages(stride * place_count(a, static_cast<uint32_t>(process_count(a)), 1)),
-          borders(a.setup.width, process_count(a))
-    {
-        team = std::make_unique<processes::Crew>(static_cast<uint32_t>(process_count(a)), [this](uint32_t) {
-            return answering_of(arguments, pages.data(), nullptr);
-        });
-    }
-    State(const RenderArguments &a, processes::Ranks &ranks)
+    State(const RenderArguments &a, processes::Ranks *ranks)
         : arguments(a),
           stride(place_bytes(a)),
           pages(bytes_of_places(a, ranks)),
-          borders(a.setup.width, ranks.count()),
-          team(std::make_unique<processes::RankTeam>(ranks, answering_of(a, pages.data(), &ranks), pages.data()))
+          borders(a.setup.width, process_count(a.processes)),
+          team(make_team(a.setup, a.processes, ranks, pages.data(), answering_by(a, pages.data(), ranks)))
     {
     }
 
@@ -101,14 +63,14 @@ struct FrameCrew::State {
 };
 
 FrameCrew::FrameCrew(const RenderArguments &arguments, processes::Ranks *ranks)
-    : state_(ranks ? std::make_unique<State>(arguments, *ranks) : std::make_unique<State>(arguments))
+    : state_(std::make_unique<State>(arguments, ranks))
 {
 }
 
 void FrameCrew::serve(const RenderArguments &a, processes::Ranks &ranks)
 {
-    std::vector<uint8_t> pages(bytes_of_places(a, ranks));
-    processes::serve(ranks, answering_of(a, pages.data(), &ranks), pages.data());
+    std::vector<uint8_t> pages(bytes_of_places(a, &ranks));
+    serve_team(a.setup, ranks, pages.data(), answering_by(a, pages.data(), &ranks));
 }
 
 FrameCrew::~FrameCrew() = default;

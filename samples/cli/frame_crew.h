@@ -36,9 +36,4 @@ private:
     std::unique_ptr<State> state_;
 };
 
-// The number of processes that draw, ranks of a job included.
-int process_count(const RenderArguments &arguments);
-// The threads of this process and of each that it starts. `ranks`: those of the job, or null.
-int threads_each(const RenderArguments &arguments, const processes::Ranks *ranks);
-
 }  // namespace cli

@@ -5,10 +5,10 @@
 #include <cstring>
 
 #include "samples/cli/command.h"
-#include "samples/cli/frame_crew.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
 #include "samples/cli/track_arguments.h"
+#include "samples/cli/work_share.h"
 #include "samples/scenes/walkers/replay.h"
 #ifdef CLAQUE_STAGED
 #include "samples/stage/replayed_scene.h"
@@ -180,7 +180,7 @@ void add_play(CLI::App &app, Work &chosen)
         // A scene of people that it does not know has no shadows to paint.
         if (played && !is_theatre(a->setup) && a->setup.shadows == "painted") a->setup.shadows = "blob";
         if (!tracks->record.empty()) a->again = true;
-        if (!tracks->record.empty() && process_count(*a) > 1)
+        if (!tracks->record.empty() && process_count(a->processes) > 1)
             throw CLI::ValidationError("--record", "needs one process, which sees all of the crowd's calls");
         const auto record = std::make_shared<std::unique_ptr<RecordOut>>();
         a->setup.make = scene_maker(*tracks, a->setup.described, record);

@@ -10,6 +10,7 @@
 #include "samples/cli/measured_rates.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
+#include "samples/cli/work_share.h"
 
 namespace cli
 {
@@ -39,8 +40,8 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options, const 
     if (!a.colours.file.empty()) report["colours"] = a.colours.file;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
-    report["threads"] = threads_each(a, ranks);
-    if (process_count(a) > 1) report["processes"] = process_count(a);
+    report["threads"] = threads_each(a.setup, a.processes, ranks);
+    if (process_count(a.processes) > 1) report["processes"] = process_count(a.processes);
     return report;
 }
 
@@ -50,8 +51,8 @@ class Rendering
 public:
     Rendering(const RenderArguments &a, processes::Ranks *ranks) : a_(a)
     {
-        if (ranks || process_count(a) > 1) crew_.emplace(a, ranks);
-        else drawer_.emplace(a, threads_each(a, nullptr));
+        if (ranks || process_count(a.processes) > 1) crew_.emplace(a, ranks);
+        else drawer_.emplace(a, threads_each(a.setup, a.processes, nullptr));
         LoadedCharacter none;
         options_ = scene_options(a.setup, none);
         report_ = about(a, options_, ranks);
@@ -167,15 +168,8 @@ void render(const RenderArguments &a)
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
     if (!a.manifest.empty()) expect_writable(a.manifest);
-    const std::unique_ptr<processes::Ranks> ranks = processes::join_ranks();
-    if (!ranks) return Rendering(a, nullptr).run();
-    try {
-        if (ranks->rank() > 0) FrameCrew::serve(a, *ranks);
-        else Rendering(a, ranks.get()).run();
-    } catch (const std::exception &failure) {
-        ranks->fail(failure.what());
-    }
-    ranks->finish();
+    share_work([&a](processes::Ranks *ranks) { Rendering(a, ranks).run(); },
+               [&a](processes::Ranks &ranks) { FrameCrew::serve(a, ranks); });
 }
 
 }  // namespace cli

@@ -4,9 +4,9 @@
 #include <unistd.h>
 
 #include "samples/cli/command.h"
-#include "samples/cli/frame_crew.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
+#include "samples/cli/work_share.h"
 #include "samples/processes/ranks.h"
 
 namespace cli
@@ -19,14 +19,12 @@ void check_picture_usage(RenderArguments &a)
     if (a.portable) use_portable_drivers();
     if (a.divide == "frames" && a.frames.empty())
         throw CLI::ValidationError("--divide", "a single picture is divided into tiles");
-    if (processes::ranks_started() > 1 && a.processes > 0)
-        throw CLI::ValidationError("--processes", "mpirun started " + std::to_string(processes::ranks_started()) +
-                                                      " ranks, which share the work");
+    check_process_usage(a.processes);
     // Each process would choose the nearest people of its own tile.
-    if (process_count(a) > 1 && a.setup.close_mib > 0 &&
+    if (process_count(a.processes) > 1 && a.setup.close_mib > 0 &&
         (a.divide == "tiles" || (a.divide.empty() && a.frames.empty())))
         throw CLI::ValidationError("--close-textures", "is for whole pictures; --divide frames goes with it");
-    if (process_count(a) > 1 && a.colours.reload)
+    if (process_count(a.processes) > 1 && a.colours.reload)
         throw CLI::ValidationError("--reload", "needs one process: several would not see a change at the same time");
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "samples/cli/label_scene.h"
+#include "samples/io/joined.h"
 #include "samples/labels/variation/haze.h"
 #include "samples/labels/variation/jpeg.h"
 #include "samples/labels/variation/noise.h"
@@ -33,6 +34,7 @@ public:
           skeletons_(library, *wanted.keypoint_set)
     {
         wanted_.keypoints = true;  // look_at_a_person() needs to know whether a head is visible
+        wanted_.scene_depth = rules.visibility_m.has_value();
         // The built-in odeon is a scenario that comes with claque.
         if (arguments_.scene == "odeon")
             arguments_.described = std::make_shared<const scenes::Scenario>(scenes::odeon_scenario());
@@ -49,7 +51,7 @@ public:
         out.sample = rules_.camera ? look_at_a_person(scene, labeller, choice, number, out.choice)
                                    : labeller.label(number, choice.time_s);
         out.silhouette_pictures = labeller.silhouette_pictures();
-        degrade(scene, choice, out.sample);
+        degrade(choice, out.sample);
         return out;
     }
 
@@ -60,7 +62,7 @@ private:
     labels::Sample look_at_a_person(scenes::SceneRenderer &scene, labels::Labeller &labeller, const Choice &choice,
                                     int number, Json &chosen);
     // Adds haze, noise and the loss of compression to the colour picture.
-    static void degrade(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample);
+    static void degrade(const Choice &choice, labels::Sample &sample);
     [[noreturn]] void refuse(const std::string &rule, const std::string &why) const
     {
         const auto place = rules_.places.find(rule);
@@ -83,16 +85,12 @@ void VariedScene::check_rules() const
     if (rules_.count && described && (described->tracks || described->stage))
         refuse("people.count", "says itself how many people there are");
     for (const auto &[name, share] : rules_.classes) {
-        std::string all;
-        bool known = false;
+        std::vector<std::string> all;
         if (described)
-            for (const scenes::SocialClass &one : described->characters) {
-                known = known || one.name == name;
-                all += (all.empty() ? "" : ", ") + one.name;
-            }
-        if (!known)
-            refuse("people.classes." + name,
-                   all.empty() ? "has no classes of people" : "has no class '" + name + "'; there are " + all);
+            for (const scenes::SocialClass &one : described->characters) all.push_back(one.name);
+        if (std::find(all.begin(), all.end(), name) == all.end())
+            refuse("people.classes." + name, all.empty() ? "has no classes of people"
+                                                         : "has no class '" + name + "'; there are " + io::joined(all));
     }
     const std::string scene = scene_of(arguments_);
     const bool lit = described ? !described->town : scene == "plaza";
@@ -171,26 +169,26 @@ labels::Sample VariedScene::look_at_a_person(scenes::SceneRenderer &scene, label
         why_not = "scenery hides the person";
         if (!labels::has_free_sight(scene, *found, choice.time_s)) continue;
         scene.look_from(found->camera);
-        labels::Sample out = labeller.label(number, choice.time_s);
+        const auto shows_person = [&](const labels::Sample &sample) {
+            return std::any_of(sample.people.begin(), sample.people.end(), [&](const labels::Person &one) {
+                return one.actor == found->person.actor && one.head.seen == labels::Seen::visible;
+            });
+        };
         why_not = "the person is hidden or not there";
-        const auto person = std::find_if(out.people.begin(), out.people.end(),
-                                         [&](const auto &one) { return one.actor == found->person.actor; });
-        if (person == out.people.end() || person->head.seen != labels::Seen::visible) continue;
+        std::optional<labels::Sample> out = labeller.label_if(number, choice.time_s, shows_person);
+        if (!out) continue;
         chosen["camera"] = labels::standpoint_json(*found);
-        return out;
+        return std::move(*out);
     }
     throw Failure(sample + "none of " + std::to_string(most_attempts) + " cameras fits the rules; of the last one " +
                   why_not);
 }
 
-void VariedScene::degrade(scenes::SceneRenderer &scene, const Choice &choice, labels::Sample &sample)
+void VariedScene::degrade(const Choice &choice, labels::Sample &sample)
 {
-    if (choice.visibility_m) {
-        scene.frame(choice.time_s);
-        std::vector<float> depth;
-        scene.offscreen().read_depth(depth);
-        labels::add_haze(sample.rgb, depth, sample.width, sample.height, sample.camera, *choice.visibility_m);
-    }
+    if (choice.visibility_m)
+        labels::add_haze(sample.rgb, sample.scene_depth, sample.width, sample.height, sample.camera,
+                         *choice.visibility_m);
     if (choice.read_noise || choice.shot_noise)
         labels::add_noise(sample.rgb, choice.read_noise.value_or(0), choice.shot_noise.value_or(0), choice.seed,
                           choice.sample);

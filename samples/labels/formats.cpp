@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "samples/io/joined.h"
 #include "samples/scenes/check.h"
 
 namespace labels
@@ -21,11 +22,9 @@ std::set<std::string> read_formats(const std::string &text)
         const size_t comma = std::min(text.find(',', from), text.size());
         const std::string name = text.substr(from, comma - from);
         from = comma + 1;
-        if (std::find(format_names().begin(), format_names().end(), name) == format_names().end()) {
-            std::string all;
-            for (const std::string &one : format_names()) all += (all.empty() ? "" : ", ") + one;
-            throw scenes::Failure("there is no format '" + name + "' of labels; there are " + all);
-        }
+        if (std::find(format_names().begin(), format_names().end(), name) == format_names().end())
+            throw scenes::Failure("there is no format '" + name + "' of labels; there are " +
+                                  io::joined(format_names()));
         out.insert(name);
     }
     return out;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "samples/io/files.h"
+#include "samples/io/joined.h"
 #include "samples/labels/joint_names.h"
 #include "samples/labels/keypoints.h"
 #include "samples/scenes/check.h"
@@ -26,11 +27,8 @@ OwnPoint read_point(TomlTable &point)
         out.joint = point.text("joint");
         std::vector<std::string> all = joint_names();
         all.insert(all.end(), std::begin(face_points), std::end(face_points));
-        if (std::find(all.begin(), all.end(), out.joint) == all.end()) {
-            std::string names;
-            for (const std::string &one : all) names += (names.empty() ? "" : ", ") + one;
-            point.refuse("has no joint '" + out.joint + "' to be at; there are " + names, "joint");
-        }
+        if (std::find(all.begin(), all.end(), out.joint) == all.end())
+            point.refuse("has no joint '" + out.joint + "' to be at; there are " + io::joined(all), "joint");
     }
     if (point.has("offset_m")) out.offset_m = point.triple("offset_m", {-10, 10}, "[left, up, forwards]");
     point.done();

@@ -68,22 +68,41 @@ void Labeller::read_numbers(std::vector<uint32_t> &numbers, const uint8_t *drawn
 
 Sample Labeller::label(int frame, double time_s)
 {
+    Sample out = begin(frame, time_s);
+    finish(out);
+    return out;
+}
+
+std::optional<Sample> Labeller::label_if(int frame, double time_s, const std::function<bool(const Sample &)> &wanted)
+{
+    Sample out = begin(frame, time_s);
+    if (!wanted(out)) return std::nullopt;
+    finish(out);
+    return out;
+}
+
+Sample Labeller::begin(int frame, double time_s)
+{
     Sample out;
     out.frame = frame, out.time_s = time_s;
     out.width = scene_.offscreen().width(), out.height = scene_.offscreen().height();
     out.rgb = wanted_.colours ? scene_.picture(time_s) : std::vector<uint8_t>();
     if (!wanted_.colours) scene_.update(time_s);
+    if (wanted_.scene_depth) scene_.offscreen().read_depth(out.scene_depth);
     out.camera = scene_.camera_at(time_s);
     read_numbers(numbers_, nullptr);
     take_channels(out);
     take_people(out);
-    if (wanted_.silhouettes) measure_silhouettes(out);
-    if (wanted_.flow) {
-        out.forward = flow_to(time_s + wanted_.step_s, out);
-        out.backward = flow_to(time_s - wanted_.step_s, out);
-        scene_.place(time_s);
-    }
     return out;
+}
+
+void Labeller::finish(Sample &out)
+{
+    if (wanted_.silhouettes) measure_silhouettes(out);
+    if (!wanted_.flow) return;
+    out.forward = flow_to(out.time_s + wanted_.step_s, out);
+    out.backward = flow_to(out.time_s - wanted_.step_s, out);
+    scene_.place(out.time_s);
 }
 
 void Labeller::take_channels(Sample &out)

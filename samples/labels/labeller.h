@@ -1,6 +1,7 @@
 // Draws a scene and labels it: the colour picture, a visibility picture, and what follows from it.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "samples/labels/sample.h"
@@ -13,7 +14,8 @@ namespace labels
 struct Wanted {
     bool colours = true, zones = true, depth = true, normals = true, positions = false;
     bool flow = true, silhouettes = true, keypoints = true;
-    double step_s = 0.04;  // of optical flow, forward and backward
+    bool scene_depth = false;  // needs colours
+    double step_s = 0.04;      // of optical flow, forward and backward
     const KeypointSet *keypoint_set = &coco_keypoints();
 };
 
@@ -24,10 +26,15 @@ public:
     Labeller(scenes::Library &library, scenes::SceneRenderer &scene, const Wanted &wanted);
 
     Sample label(int frame, double time_s);
+    // None where `wanted` is false of what the sample says of its people; silhouettes and flow, which take longest, are
+    // then not made.
+    std::optional<Sample> label_if(int frame, double time_s, const std::function<bool(const Sample &)> &wanted);
     // Silhouette pictures of the last sample.
     size_t silhouette_pictures() const { return silhouette_pictures_; }
 
 private:
+    Sample begin(int frame, double time_s);
+    void finish(Sample &out);
     void read_numbers(std::vector<uint32_t> &numbers, const uint8_t *drawn);
     void take_channels(Sample &out);
     void take_people(Sample &out);

@@ -51,6 +51,7 @@ struct Sample {
     std::vector<uint16_t> zone;            // zone + 1; 0: none
     std::vector<uint16_t> part;            // part + 1; 0: none
     std::vector<float> depth_m;            // NaN: none
+    std::vector<float> scene_depth;        // of the colour picture with its scenery, as GL has it: [0, 1]; 1: the sky
     std::vector<float> normal;             // [3 *] in the world
     std::vector<double> position;          // [3 *] in the world
     std::vector<float> forward, backward;  // [2 *] optical flow, pixels to the right and down

@@ -2,7 +2,6 @@
 #include <fstream>
 #include <map>
 #include <set>
-#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -24,18 +23,6 @@ protected:
                                         "64x48",  "--out",   path(folder), "--fps",   "10"};
         all.insert(all.end(), more.begin(), more.end());
         return claque(all);
-    }
-    std::map<std::string, std::string> contents(const std::string &folder) const
-    {
-        std::map<std::string, std::string> out;
-        for (const auto &entry : fs::recursive_directory_iterator(path(folder)))
-            if (entry.is_regular_file()) {
-                std::ifstream file(entry.path(), std::ios::binary);
-                std::ostringstream bytes;
-                bytes << file.rdbuf();
-                out[fs::relative(entry.path(), path(folder)).string()] = bytes.str();
-            }
-        return out;
     }
 };
 

@@ -3,12 +3,8 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
-#include <dirent.h>
-#include <fcntl.h>
 #include <fstream>
 #include <random>
-#include <spawn.h>
-#include <sstream>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -16,8 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
-
-extern char **environ;
+#include "tests/cli/started.h"
 
 namespace cli_test
 {
@@ -32,15 +27,6 @@ using Clock = std::chrono::steady_clock;
 double ms_since(Clock::time_point start)
 {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-std::vector<pid_t> children_of(pid_t process)
-{
-    const std::string id = std::to_string(process);
-    std::ifstream file("/proc/" + id + "/task/" + id + "/children");
-    std::vector<pid_t> found;
-    for (pid_t one = 0; file >> one;) found.push_back(one);
-    return found;
 }
 
 class Processes : public Drawing
@@ -157,24 +143,6 @@ TEST_F(Processes, ThatFailSayWhyAndLeaveNothing)
 class Killed : public Processes
 {
 protected:
-    // Starts the command in a process group of its own, as a shell does.
-    pid_t start(const Words &words)
-    {
-        std::vector<char *> argv = {const_cast<char *>(CLAQUE_COMMAND)};
-        for (const std::string &word : words) argv.push_back(const_cast<char *>(word.c_str()));
-        argv.push_back(nullptr);
-        posix_spawnattr_t attributes;
-        posix_spawnattr_init(&attributes);
-        sigset_t usual;
-        sigemptyset(&usual);
-        for (const int number : {SIGINT, SIGTERM, SIGPIPE}) sigaddset(&usual, number);
-        posix_spawnattr_setsigdefault(&attributes, &usual);
-        posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-        pid_t process = 0;
-        EXPECT_EQ(posix_spawn(&process, CLAQUE_COMMAND, nullptr, &attributes, argv.data(), environ), 0);
-        posix_spawnattr_destroy(&attributes);
-        return process;
-    }
     Words film_words(const std::string &name, const std::string &divide, int frames) const
     {
         return {"render",      "--scene",
@@ -213,7 +181,7 @@ TEST_F(Killed, WorkersAreReplacedAndTheFilmIsWhole)
     for (int run = 0; killed < 100 && run < 60; ++run) {
         const std::string divide = run % 2 == 0 ? "frames" : "tiles", name = "run-" + std::to_string(run);
         fs::create_directories(path(name));
-        const pid_t process = start(film_words(name, divide, frames));
+        const pid_t process = start_claque(film_words(name, divide, frames));
         int state = 0;
         // Few enough in a run that no worker ends again and again before it has drawn anything.
         for (int k = 0; k < 10 && waitpid(process, &state, WNOHANG) == 0; ++k) {
@@ -237,7 +205,7 @@ TEST_F(Killed, ACommandTakesItsWorkersWithItAndLeavesNoPart)
     for (const int number : {SIGINT, SIGTERM, SIGKILL})
         for (const int after_ms : {30, 400, 900}) {
             fs::create_directories(path("film"));
-            const pid_t process = start(film_words("film", after_ms == 400 ? "tiles" : "frames", 900));
+            const pid_t process = start_claque(film_words("film", after_ms == 400 ? "tiles" : "frames", 900));
             std::this_thread::sleep_for(std::chrono::milliseconds(after_ms));
             const std::vector<pid_t> workers = children_of(process);
             const Clock::time_point sent = Clock::now();
@@ -264,12 +232,12 @@ TEST_F(Killed, ACommandTakesItsWorkersWithItAndLeavesNoPart)
 
 TEST_F(Killed, AWorkerThatEndsAgainAndAgainEndsTheCommand)
 {
-    const pid_t process = start(film_words("none", "tiles", 1));  // its folder is missing: nothing is written
+    const pid_t process = start_claque(film_words("none", "tiles", 1));  // its folder is missing: nothing is written
     int state = 0;
     waitpid(process, &state, 0);
     EXPECT_TRUE(WIFEXITED(state) && WEXITSTATUS(state) == 1);
     fs::create_directories(path("film"));
-    const pid_t other = start(film_words("film", "frames", 900));
+    const pid_t other = start_claque(film_words("film", "frames", 900));
     const Clock::time_point begun = Clock::now();
     while (waitpid(other, &state, WNOHANG) == 0 && ms_since(begun) < 60000) {
         for (const pid_t worker : children_of(other)) kill(worker, SIGKILL);

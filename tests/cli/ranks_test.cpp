@@ -76,6 +76,21 @@ TEST_F(Ranks, DrawTheFilmThatOneProcessDraws)
     }
 }
 
+TEST_F(Ranks, LabelThePicturesThatOneProcessLabels)
+{
+    const auto words = [&](const char *folder) {
+        return Words{"labels",   "--scene", "plaza",   "--count",          "10",    "--size",    "64x48",
+                     "--frames", "0:6",     "--write", "coco,flo,mot,npz", "--out", path(folder)};
+    };
+    ASSERT_EQ(claque(words("one")).code, 0);
+    for (const int ranks : {2, 3}) {
+        const std::string folder = "by-" + std::to_string(ranks);
+        const Outcome done = mpirun(ranks, words(folder.c_str()));
+        EXPECT_EQ(done.code, 0) << done.err;
+        EXPECT_TRUE(contents(folder) == contents("one")) << ranks << " ranks";
+    }
+}
+
 TEST_F(Ranks, PassOnRawPixelsInTheirOrder)
 {
     const Words words = {"render", "--scene", "plaza", "--count", "20",       "--size", "96x64",

@@ -92,6 +92,14 @@ std::vector<std::string> Command::left() const
     return names;
 }
 
+std::map<std::string, std::string> Command::contents(const std::string &folder) const
+{
+    std::map<std::string, std::string> found;
+    for (const auto &entry : fs::recursive_directory_iterator(path(folder)))
+        if (entry.is_regular_file()) found[fs::relative(entry.path(), path(folder)).string()] = file_text(entry.path());
+    return found;
+}
+
 std::string why_no_context(const std::string &kind)
 {
     if (kind == "osmesa") return gltest::absent_gl(contexts::Kind::osmesa);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,8 @@ protected:
 
     std::string path(const std::string &name) const { return (folder_ / name).string(); }
     std::vector<std::string> left() const;  // names of the files in the folder, sorted
+    // The files below a folder of it, by their paths there.
+    std::map<std::string, std::string> contents(const std::string &folder) const;
 
 private:
     std::filesystem::path folder_;
