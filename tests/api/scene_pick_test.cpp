@@ -112,6 +112,10 @@ protected:
         rigid_def_.def.name = "rigid";
         rigid_def_.parts[0].influence_count = 0, rigid_def_.parts[0].node = 1;
         rigid_def_.def.joint_count = 0;
+        for (size_t v = 0; v < 10; ++v)  // skin alone
+            skin_uvs_[2 * v] = 0.5f + 0.5f * rigid_def_.parts[0].uvs[2 * v],
+                          skin_uvs_[2 * v + 1] = rigid_def_.parts[0].uvs[2 * v + 1];
+        rigid_def_.parts[0].uvs = skin_uvs_;
         ASSERT_EQ(clq_template_build(world_.context, &rigid_def_.def, &rigid_), CLQ_OK) << clq_last_error();
         clq_crowd_def def = clq_crowd_def_init();
         def.vertex_format = GetParam().vertices, def.rigid_mode = GetParam().rigid;
@@ -178,6 +182,7 @@ protected:
 
     TestWorld world_;
     SmallTemplate rigid_def_;
+    float skin_uvs_[2 * 10];
     clq_template *rigid_ = nullptr;
     clq_crowd *crowd_ = nullptr;
     clq_view *view_ = nullptr;
@@ -225,7 +230,7 @@ TEST_P(Pick, LeavesOutActorsThatAreGoneOrNotAskedFor)
 
 TEST_P(Pick, SaysWhereInTheTriangleThePointIs)
 {
-    uint32_t met = 0;
+    uint32_t met = 0, of_one_zone = 0;
     for (uint32_t i = 0; i < 100; ++i) {
         const clq_scene_pick got = pick(ray_through(i));
         if (got.actor.index1 == 0) continue;
@@ -234,6 +239,7 @@ TEST_P(Pick, SaysWhereInTheTriangleThePointIs)
         ASSERT_EQ(clq_view_get_drawn_actor(view_, got.index, &drawn), CLQ_OK);
         EXPECT_EQ(drawn.actor.index1, got.actor.index1);
         EXPECT_TRUE(drawn.parts >> got.part & 1);
+        of_one_zone += drawn.tmpl == rigid_;
         std::vector<float> xyz(3 * drawn.vertex_count);
         ASSERT_EQ(clq_view_get_vertices(view_, got.index, xyz.data(), nullptr, drawn.vertex_count), CLQ_OK);
         double eye[3] = {0, 0, 0}, away = 0, weights = 0;
@@ -249,7 +255,7 @@ TEST_P(Pick, SaysWhereInTheTriangleThePointIs)
         for (int k = 0; k < 3; ++k) away += (got.position[k] - camera_.eye[k]) * (got.position[k] - camera_.eye[k]);
         EXPECT_NEAR(std::sqrt(away), std::sqrt(eye[0] * eye[0] + eye[1] * eye[1] + eye[2] * eye[2]), 1e-4);
         EXPECT_NEAR(weights, 1, 1e-6);
-        // The left half of the strip's texture is cloth, the right half skin; every triangle has both.
+        // The left half of the strip's texture is cloth, the right half skin; triangles with joints have both.
         clq_mesh mesh = clq_mesh_init();
         ASSERT_EQ(clq_template_get_mesh(drawn.tmpl, drawn.level, &mesh), CLQ_OK);
         float u = 0;
@@ -258,6 +264,7 @@ TEST_P(Pick, SaysWhereInTheTriangleThePointIs)
         EXPECT_EQ(got.zone, clq_template_find_zone(drawn.tmpl, wanted)) << "u is " << u;
     }
     EXPECT_GT(met, 20u);
+    EXPECT_GT(of_one_zone, 5u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Forms, Pick,
