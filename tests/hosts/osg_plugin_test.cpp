@@ -150,6 +150,39 @@ TEST_F(OsgPlugin, ShowsTheSamePeopleInTwoViewers)
     EXPECT_EQ(picture(0.02), first) << "the other one is closed";
 }
 
+// Windows that share textures have one number, and an osg::State each.
+TEST_F(OsgPlugin, KeepsTheRenderersOfContextsThatShareTextures)
+{
+    const osg::ref_ptr<osg::Node> person = citizen();
+    stand(*person, {0, 0, 0});
+    osgViewer::Viewer other;
+    other.setThreadingModel(osgViewer::Viewer::SingleThreaded);
+    osg::GraphicsContext &window = *other.setUpViewerAsEmbeddedInWindow(0, 0, side_px, side_px);
+    const unsigned shared = viewer_->getCamera()->getGraphicsContext()->getState()->getContextID();
+    osg::GraphicsContext::decrementContextIDUsageCount(window.getState()->getContextID());
+    osg::GraphicsContext::incrementContextIDUsageCount(shared);
+    window.getState()->setContextID(shared);
+    other.setSceneData(root_);
+    const auto is_texture =
+        reinterpret_cast<unsigned char (*)(unsigned)>(context_->get_proc_address()(context_->user(), "glIsTexture"));
+    const auto textures = [&] {
+        size_t count = 0;
+        for (unsigned name = 1; name < 1000; ++name) count += is_texture(name);
+        return count;
+    };
+    const auto draw_both = [&] {
+        const std::vector<uint8_t> rgb = picture(0);
+        other.frame(0);
+        return rgb;
+    };
+    const std::vector<uint8_t> first = draw_both();
+    EXPECT_GT(people_in(first, 0, side_px).size(), 3 * 300u);
+    const size_t count = textures();
+    EXPECT_GT(count, 1u);
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(draw_both(), first) << i;
+    EXPECT_EQ(textures(), count);
+}
+
 TEST_F(OsgPlugin, LeavesOsgItsState)
 {
     osg::ref_ptr<osg::Geode> box = new osg::Geode;

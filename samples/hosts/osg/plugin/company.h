@@ -17,8 +17,6 @@ public:
     // libraries that a company needs.
     static Company &shared();
 
-    Company();
-
     scenes::Library &library() { return library_; }
     // Of troupes and renderers: several threads may cull and draw views.
     std::mutex &mutex() { return mutex_; }
@@ -33,6 +31,8 @@ public:
     void release(osg::State &state);
 
 private:
+    Company();
+
     scenes::Library library_;
     std::mutex mutex_;
     Renderers renderers_;

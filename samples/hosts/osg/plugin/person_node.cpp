@@ -4,6 +4,7 @@
 #include <osgUtil/CullVisitor>
 
 #include "samples/hosts/osg/plugin/company.h"
+#include "samples/hosts/osg/plugin/warning.h"
 
 namespace osg_plugin
 {
@@ -44,13 +45,18 @@ private:
                 cull->updateCalculatedNearFar(
                     *cull->getModelViewMatrix(),
                     osg::BoundingBox(-reach_m, -reach_m, -reach_m, reach_m, reach_m, height_m + reach_m));
-            person.company_.troupe(*root_of(cull->getNodePath())).report(*cull, person.member_);
+            try {
+                person.company_.troupe(*root_of(cull->getNodePath())).report(*cull, person.member_);
+            } catch (const scenes::Failure &failure) {
+                person.warning_.give(failure);
+            }
             return true;
         }
     };
 
     Company &company_;
     const Member &member_;
+    mutable Warning warning_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
-// One clq_renderer for each GL context that OSG draws in. The functions are called in draws, with their context
-// current.
+// One clq_renderer for each GL context that OSG draws in, which its osg::State stands for: contexts that share textures
+// have one number. The functions are called in draws, with their context current.
 #pragma once
 
 #include <map>
@@ -19,7 +19,6 @@ class Renderers
 {
 public:
     explicit Renderers(clq_context *context) : context_(context) {}
-    ~Renderers();
 
     // The renderer of the current context, which draws with this state. Throws scenes::Failure.
     clq_renderer *of(osg::State &state);
@@ -28,11 +27,13 @@ public:
 
 private:
     struct Entry {
-        osg::observer_ptr<osg::State> state;
+        osg::observer_ptr<osg::State> state;  // none where another one may be at its address
         clq_renderer *renderer;
     };
+    void forget_ended();
+
     clq_context *context_;
-    std::map<unsigned, Entry> entries_;  // by OSG's number of the context
+    std::map<const osg::State *, Entry> entries_;
 };
 
 }  // namespace osg_plugin

@@ -5,13 +5,13 @@
 
 #include <osg/GL>
 #include <osg/Geode>
-#include <osg/Notify>
 #include <osg/Viewport>
 #include <osgUtil/CullVisitor>
 
 #include "samples/hosts/osg/bindings.h"
 #include "samples/hosts/osg/plugin/company.h"
 #include "samples/hosts/osg/plugin/up_axis.h"
+#include "samples/hosts/osg/plugin/warning.h"
 #include "samples/scenes/scenario/scenario.h"
 
 namespace osg_plugin
@@ -76,8 +76,7 @@ public:
         try {
             draw(*info.getState());
         } catch (const scenes::Failure &failure) {
-            if (failure.what() != told_) OSG_WARN << "claque: " << failure.what() << std::endl;
-            told_ = failure.what();
+            warning_.give(failure);
         }
     }
 
@@ -85,6 +84,7 @@ public:
     {
         if (!state) return;
         company_.release(*state);
+        const std::lock_guard<std::mutex> lock(company_.mutex());
         if (state == state_.get()) scene_.reset(), state_ = nullptr;
     }
 
@@ -154,7 +154,7 @@ private:
     mutable scenes::Gl gl_;
     mutable bool prepared_ = false;
     mutable osg::observer_ptr<osg::State> state_;  // of the context that has its textures
-    mutable std::string told_;
+    mutable Warning warning_;
 };
 
 }  // namespace

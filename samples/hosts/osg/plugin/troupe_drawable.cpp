@@ -4,7 +4,6 @@
 
 #include <osg/Camera>
 #include <osg/Material>
-#include <osg/Notify>
 #include <osg/Transform>
 
 #include "samples/hosts/osg/bindings.h"
@@ -55,8 +54,7 @@ void TroupeDrawable::drawImplementation(osg::RenderInfo &info) const
         osg_host::clear_bindings(*info.getState());
         troupe_.draw(*info.getState(), company_.renderer(*info.getState()));
     } catch (const scenes::Failure &failure) {
-        if (failure.what() != told_) OSG_WARN << "claque: " << failure.what() << std::endl;
-        told_ = failure.what();
+        warning_.give(failure);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include "samples/hosts/osg/plugin/renderers.h"
 #include "samples/hosts/osg/plugin/troupe.h"
+#include "samples/hosts/osg/plugin/warning.h"
 
 namespace osg_plugin
 {
@@ -25,7 +26,7 @@ public:
 private:
     Company &company_;
     mutable Troupe troupe_;
-    mutable std::string told_;
+    mutable Warning warning_;
 };
 
 // The root of a path is the first node below its last camera.
