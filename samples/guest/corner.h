@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* Draws a frame into the corner; the frame after the last is a sixtieth of a second later. The first call makes the
- * crowd. `context` tells contexts apart: in another one than before the crowd gets a new renderer.
+ * crowd. `context` tells contexts apart: the crowd is drawn in the first of them alone.
  * What the environment says:
  *   CLAQUE_GUEST        WIDTHxHEIGHT of the corner in pixels; default 320x240
  *   CLAQUE_GUEST_GUARD  full (default), minimal, none: see clq_guard

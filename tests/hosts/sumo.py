@@ -88,6 +88,18 @@ def check_sumo(plugins, out):
     return f"{len(bodies)} people in sight, {len(clothes)} clothes, {len(colours)} colours"
 
 
+def moved_pixels(shown, seconds):
+    """The most pixels in which two pictures a second apart differ, until there are 200."""
+    most, until = 0, time.monotonic() + seconds
+    before = shown.picture()
+    while most < 200 and time.monotonic() < until:
+        time.sleep(1)
+        then = shown.picture()
+        most = max(most, sum(before.at(x, y) != then.at(x, y) for y in range(0, 600, 2) for x in range(0, 800, 2)))
+        before = then
+    return most
+
+
 def check_osgviewer(plugins, out, scenarios):
     with tempfile.TemporaryDirectory() as name, screen.Screen(800, 600) as shown:
         folder = pathlib.Path(name)
@@ -107,8 +119,10 @@ def check_osgviewer(plugins, out, scenarios):
                 picture = shown.picture()
                 colours = {picture.at(x, y) for y in range(0, 600, 2) for x in range(0, 800, 2)}
             picture.save(out / f"osgviewer-{file.split('.')[0]}.png")
+            moved = moved_pixels(shown, 20) if file == "crowd.claque" else None
             process.terminate()
             said, _ = process.communicate()
             assert len(colours) >= 400, f"{file}: {len(colours)} colours: {said}"
-            counts.append(f"{file}: {len(colours)} colours")
+            assert moved is None or moved >= 200, f"{file}: {moved} pixels change while people walk"
+            counts.append(f"{file}: {len(colours)} colours" + ("" if moved is None else f", {moved} pixels move"))
     return ", ".join(counts)

@@ -74,11 +74,13 @@ void CrowdCallback::called(void *user, SoAction *action)
 clq_renderer *CrowdCallback::renderer_of(uint32_t context_id)
 {
     clq_renderer *&renderer = renderers_[context_id];
-    if (renderer) return renderer;
-    clq_renderer_def def = clq_renderer_def_init();
-    def.get_proc_address = get_gl_function;
-    def.user = const_cast<cc_glglue *>(cc_glglue_instance(static_cast<int>(context_id)));
-    check(clq_renderer_create(context_, &def, &renderer));
+    if (!renderer) {
+        clq_renderer_def def = clq_renderer_def_init();
+        def.get_proc_address = get_gl_function;
+        def.user = const_cast<cc_glglue *>(cc_glglue_instance(static_cast<int>(context_id)));
+        check(clq_renderer_create(context_, &def, &renderer));
+    }
+    // Each time: what was refused in the first frame is tried again.
     for (clq_template *tmpl : templates_) check(clq_renderer_prepare(renderer, tmpl));
     return renderer;
 }

@@ -67,15 +67,15 @@ class Guest:
         self.target.gl.glBindBuffer(ELEMENT_ARRAY_BUFFER, 0)
 
     def draw(self, renderer, _event):
+        self.drawn, self.failure = 0, ""
         camera = renderer.GetActiveCamera()
         near, far = camera.GetClippingRange()
-        self.view.look_at(camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp(),
-                          camera.GetViewAngle() * 0.017453292519943, WIDTH / HEIGHT, near, far)
-        self.crowd.update(self.time_s, self.view)
-        if self.unbinds:
-            self.unbind(renderer.GetRenderWindow())
         try:
-            self.drawn, self.failure = 0, ""
+            self.view.look_at(camera.GetPosition(), camera.GetFocalPoint(), camera.GetViewUp(),
+                              camera.GetViewAngle() * 0.017453292519943, WIDTH / HEIGHT, near, far)
+            self.crowd.update(self.time_s, self.view)
+            if self.unbinds:
+                self.unbind(renderer.GetRenderWindow())
             self.drawn = self.renderer.draw(self.view).individuals
         except abi.Error as failure:
             self.failure = str(failure)
