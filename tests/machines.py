@@ -11,10 +11,10 @@ import pathlib
 import re
 import shutil
 import subprocess
-import sys
 import time
 
 from gtest_reports import cases_of
+from named_runs import run_named
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent
@@ -92,17 +92,9 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("machines", nargs="*", metavar="MACHINE", help=", ".join(ABOUT))
     given = parser.parse_args()
-    for name in given.machines:
-        if name not in ABOUT:
-            parser.error(f"'{name}' is none of {', '.join(ABOUT)}")
-    results = []
-    for machine in given.machines or ABOUT:
-        print(f"{machine} ...", flush=True)
-        results.append(run(machine, given.jobs))
-    text = table_of(results)
-    print(text)
-    (SOURCE / "out" / "machines.md").write_text(text + "\n")
-    sys.exit(1 if any(r.failed for r in results) else 0)
+    run_named(
+        parser, given.machines, ABOUT, lambda name: run(name, given.jobs), table_of, SOURCE / "out" / "machines.md"
+    )
 
 
 if __name__ == "__main__":

@@ -34,6 +34,30 @@ void consider(WorstRegion &worst, uint64_t id, size_t pixels, double value, size
     }
 }
 
+// How far apart the colours of a region are, summed for each channel.
+struct Apart {
+    template <class Difference>
+    void add(Difference of_channel)
+    {
+        ++pixels;
+        for (size_t c = 0; c < 3; ++c) sums[c] += of_channel(c);
+    }
+    size_t pixels = 0;
+    std::array<int64_t, 3> sums{};
+};
+
+// By the mean of the channel that is farthest apart.
+WorstRegion worst_of(const std::map<uint64_t, Apart> &regions, size_t least)
+{
+    WorstRegion worst;
+    for (const auto &[id, region] : regions) {
+        int64_t most = 0;
+        for (const int64_t sum : region.sums) most = std::max(most, std::abs(sum));
+        consider(worst, id, region.pixels, static_cast<double>(most) / static_cast<double>(region.pixels), least);
+    }
+    return worst;
+}
+
 double median(std::vector<double> &values)
 {
     const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -46,23 +70,11 @@ double median(std::vector<double> &values)
 WorstRegion worst_colour(const Map<uint64_t> &ids, const Picture &reference, const Picture &result,
                          const Counted &counted)
 {
-    struct Sum {
-        size_t pixels = 0;
-        std::array<uint64_t, 3> apart{};
-    };
-    std::map<uint64_t, Sum> sums;
+    std::map<uint64_t, Apart> sums;
     each_inner_pixel(ids, counted, [&](size_t i, uint64_t id) {
-        Sum &s = sums[id];
-        ++s.pixels;
-        for (size_t c = 0; c < 3; ++c)
-            s.apart[c] += static_cast<uint64_t>(std::abs(int{reference.rgb[3 * i + c]} - int{result.rgb[3 * i + c]}));
+        sums[id].add([&](size_t c) { return std::abs(int{result.rgb[3 * i + c]} - int{reference.rgb[3 * i + c]}); });
     });
-    WorstRegion worst;
-    for (const auto &[id, s] : sums)
-        consider(
-            worst, id, s.pixels,
-            static_cast<double>(*std::max_element(s.apart.begin(), s.apart.end())) / static_cast<double>(s.pixels));
-    return worst;
+    return worst_of(sums, least_region_pixels);
 }
 
 WorstRegion worst_depth(const Map<uint64_t> &ids, const Map<float> &reference, const Map<float> &result,
@@ -97,24 +109,11 @@ WorstRegion worst_ids(const Map<uint64_t> &reference, const Map<uint64_t> &resul
 WorstRegion worst_bias(const Map<uint64_t> &ids, const Picture &reference, const Picture &result,
                        const Counted &counted)
 {
-    struct Sum {
-        size_t pixels = 0;
-        std::array<int64_t, 3> apart{};
-    };
-    std::map<uint64_t, Sum> sums;
-    for (size_t i = 0; i < ids.values.size(); ++i) {
-        if (!counts(counted, i)) continue;
-        Sum &s = sums[ids.values[i]];
-        ++s.pixels;
-        for (size_t c = 0; c < 3; ++c) s.apart[c] += int{result.rgb[3 * i + c]} - int{reference.rgb[3 * i + c]};
-    }
-    WorstRegion worst;
-    for (const auto &[id, s] : sums) {
-        int64_t most = 0;
-        for (const int64_t apart : s.apart) most = std::max(most, std::abs(apart));
-        consider(worst, id, s.pixels, static_cast<double>(most) / static_cast<double>(s.pixels), least_bias_pixels);
-    }
-    return worst;
+    std::map<uint64_t, Apart> sums;
+    for (size_t i = 0; i < ids.values.size(); ++i)
+        if (counts(counted, i))
+            sums[ids.values[i]].add([&](size_t c) { return result.rgb[3 * i + c] - reference.rgb[3 * i + c]; });
+    return worst_of(sums, least_bias_pixels);
 }
 
 }  // namespace parity

@@ -5,6 +5,7 @@
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/spy.h"
 #include "tests/gl/support/state_dump.h"
+#include "tests/gl/support/unpack_buffer.h"
 
 namespace gltest
 {
@@ -155,16 +156,14 @@ TEST_F(Refusals, NameASamplerObject)
 
 TEST_F(Refusals, OfAnUploadNameAnUnpackBuffer)
 {
-    uint32_t buffer = 0;
-    host_->ask<Gen>("glGenBuffers")(1, &buffer);
-    const auto bind = host_->ask<Bind>("glBindBuffer");
-    bind(0x88EC, buffer);
+    const UnpackBuffer buffer(*host_);
+    buffer.bind();
     const PosedModel posed = small_posed();
     const auto renderer = make_renderer();
     const Status status = renderer->prepare(*posed.tmpl);
     EXPECT_EQ(status.code, CLQ_GL_STATE);
     EXPECT_NE(std::string(status.text).find("GL_PIXEL_UNPACK_BUFFER"), std::string::npos) << status.text;
-    bind(0x88EC, 0);
+    buffer.unbind();
     EXPECT_TRUE(renderer->prepare(*posed.tmpl).ok());
 }
 

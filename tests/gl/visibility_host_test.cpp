@@ -3,6 +3,7 @@
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/hostile.h"
 #include "tests/gl/support/state_dump.h"
+#include "tests/gl/support/unpack_buffer.h"
 
 namespace gltest
 {
@@ -59,24 +60,18 @@ TEST_F(VisibilityHost, ShowsNumbersWhereThePictureShowsTheIndividual)
 
 TEST_F(VisibilityHost, IsRefusedWhereAHostsBufferWouldBeReadInstead)
 {
-    const std::string extensions(reinterpret_cast<const char *>(host_->GetString(gl::extensions)));
-    if (extensions.find("GL_ARB_pixel_buffer_object") == std::string::npos)
-        GTEST_SKIP() << "this GL has no GL_ARB_pixel_buffer_object";
-    const auto generate = host_->ask<void (*)(int32_t, uint32_t *)>("glGenBuffers");
-    const auto bind = host_->ask<void (*)(gl::Enum, uint32_t)>("glBindBuffer");
-    ASSERT_TRUE(generate && bind);
+    if (!UnpackBuffer::is_known_to(*host_)) GTEST_SKIP() << "this GL has no GL_ARB_pixel_buffer_object";
     const auto renderer = make_renderer_of(posed_);
-    uint32_t buffer = 0;
-    generate(1, &buffer);
-    bind(0x88EC, buffer);  // GL_PIXEL_UNPACK_BUFFER
+    const UnpackBuffer buffer(*host_);
+    buffer.bind();
     const Status status = renderer->draw_visibility(list(), {}, nullptr);
     EXPECT_EQ(status.code, CLQ_GL_STATE) << status.text;
     EXPECT_NE(std::string(status.text).find("GL_PIXEL_UNPACK_BUFFER"), std::string::npos) << status.text;
-    bind(0x88EC, 0);
+    buffer.unbind();
     EXPECT_TRUE(renderer->draw_visibility(list(), {}, nullptr).ok());
-    bind(0x88EC, buffer);
+    buffer.bind();
     EXPECT_TRUE(renderer->draw_visibility(list(), {}, nullptr).ok()) << "the texture is there already";
-    bind(0x88EC, 0);
+    buffer.unbind();
 }
 
 }  // namespace

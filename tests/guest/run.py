@@ -18,10 +18,11 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 SOURCE = HERE.parent.parent
-sys.path.insert(0, str(HERE.parent / "drivers"))
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "drivers")]
 
 import programs  # noqa: E402
 import services  # noqa: E402
+from named_runs import run_named  # noqa: E402
 from replays import LEFT_BY, differing, failures, read  # noqa: E402
 
 REPLAY_S = 1200
@@ -94,17 +95,11 @@ def main():
     parser.add_argument("programs", nargs="*", metavar="PROGRAM")
     given = parser.parse_args()
     known = {program.name: program for program in programs.PROGRAMS}
-    for name in given.programs:
-        if name not in known:
-            parser.error(f"'{name}' is none of {', '.join(known)}")
-    results = []
-    for name in given.programs or known:
-        print(f"{name} ...", flush=True)
-        results.append(run(known[name], given.build.resolve(), given.keep))
-    text = table_of(results)
-    print(text)
-    (SOURCE / "out" / "guest.md").write_text(text + "\n")
-    sys.exit(1 if any(r.failed for r in results) else 0)
+    build = given.build.resolve()
+    run_named(
+        parser, given.programs, known, lambda name: run(known[name], build, given.keep), table_of,
+        SOURCE / "out" / "guest.md",
+    )
 
 
 if __name__ == "__main__":

@@ -1,9 +1,8 @@
 // People in a Coin program: writes a picture of a portico.
 #include <cstdio>
-#include <fstream>
 
 #include "samples/hosts/coin/portico.h"
-#include "samples/io/png.h"
+#include "samples/hosts/picture_file.h"
 
 namespace
 {
@@ -17,10 +16,7 @@ void run(const char *path)
         contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why_not);
     if (!context) throw scenes::Failure("no OpenGL context: " + why_not);
     coin_host::Portico portico(*context);
-    const std::vector<unsigned char> file = io::png(portico.picture(2).data(), width, height, {});
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
-    if (!out.flush()) throw scenes::Failure(std::string(path) + " could not be written");
+    hosts::write_picture(path, portico.picture(2).data(), width, height);
     std::printf("%u people in %s\n", portico.people().drawn().individuals, path);
 }
 

@@ -3,10 +3,9 @@
 // with a window for each screen, and with one surface that spans all screens.
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
 #include "samples/hosts/multichannel/room.h"
-#include "samples/io/png.h"
+#include "samples/hosts/picture_file.h"
 
 namespace
 {
@@ -17,10 +16,7 @@ constexpr int width = 512, height = 384;
 
 void write(const std::string &path, const std::vector<uint8_t> &rgb, int picture_width)
 {
-    const std::vector<unsigned char> file = io::png(rgb.data(), picture_width, height, {});
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
-    if (!out.flush()) throw scenes::Failure(path + " could not be written");
+    hosts::write_picture(path, rgb.data(), picture_width, height);
 }
 
 void say_what_differs(const char *surfaces, const Room &room)

@@ -1,10 +1,9 @@
 // People in an OpenSceneGraph program. Writes three pictures: the town as a viewer shows it, the same with a culling
 // frustum smaller than the picture's (S0 Fig. 10), and that frustum from outside, with the culled objects in grey.
 #include <cstdio>
-#include <fstream>
 
 #include "samples/hosts/osg/application.h"
-#include "samples/io/png.h"
+#include "samples/hosts/picture_file.h"
 
 namespace
 {
@@ -17,10 +16,7 @@ constexpr double time_s = 2, forced_share = 0.6;
 
 void write(const std::string &path, const std::vector<uint8_t> &rgb)
 {
-    const std::vector<unsigned char> file = io::png(rgb.data(), width, height, {});
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
-    if (!out.flush()) throw scenes::Failure(path + " could not be written");
+    hosts::write_picture(path, rgb.data(), width, height);
 }
 
 void tell(const char *what, const Application &application)

@@ -2,10 +2,9 @@
 // those of one.
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 
+#include "samples/hosts/picture_file.h"
 #include "samples/hosts/tiles/tiled_picture.h"
-#include "samples/io/png.h"
 
 namespace
 {
@@ -34,10 +33,7 @@ void run(const std::string &path, int processes)
     size_t other = 0;
     for (size_t i = 0; i < alone.size(); i += 3) other += !std::equal(&alone[i], &alone[i] + 3, &shared[i]);
     std::printf("%zu of %zu pixels differ\n", other, alone.size() / 3);
-    const std::vector<unsigned char> file = io::png(shared.data() + (pictures - 1) * size, width, height, {});
-    std::ofstream out(path, std::ios::binary);
-    out.write(reinterpret_cast<const char *>(file.data()), static_cast<std::streamsize>(file.size()));
-    if (!out.flush()) throw std::runtime_error(path + " could not be written");
+    hosts::write_picture(path, shared.data() + (pictures - 1) * size, width, height);
 }
 
 }  // namespace
