@@ -2,8 +2,8 @@
 // a draw of claque leaves changed. Preloaded alone, it writes the same of a program without a guest.
 //
 //   CLAQUE_WITNESS         the file that it writes: "frame NUMBER OUTSIDE CORNER", hashes of the pixels outside the
-//                          guest's corner and in it; "left GUARD NAME", once for each
-//                          name, with the mode of guard.h that documents it; FILE.ppm beside it is a late frame
+//                          guest's corner and in it; "left GUARD NAME", once for each name, with the mode of guard.h
+//                          that documents it. FILE.ppm beside it is a late frame
 //   CLAQUE_WITNESS_FRAMES  after so many frames the program ends
 //   CLAQUE_GUEST           the corner, as for the guest
 #include <cstdio>

@@ -1,4 +1,4 @@
-// What OSG leaves bound for its next drawable.
+// The buffers and arrays that OSG leaves bound for its next drawable.
 #pragma once
 
 #include <osg/State>
@@ -6,7 +6,8 @@
 namespace osg_host
 {
 
-// Unbinds buffers and arrays, with which claque refuses to draw, by osg::State's own means: it knows of it.
+// Unbinds them, because claque refuses to draw while they are bound. osg::State does it, and so knows that they are not
+// bound any more.
 inline void clear_bindings(osg::State &state)
 {
     state.disableAllVertexArrays();
