@@ -15,6 +15,7 @@ struct Subcommand {
     bool draws = false;     // needs a GL
     bool is_slow = false;   // takes seconds, and shares its files' code with quicker ones
     bool recovers = false;  // a library below it does without some operations, with the same result
+    bool goes_on = false;   // its folder gets one whole file after the other, and the next run makes what is missing
 };
 
 const std::vector<Subcommand> &subcommands();
