@@ -17,18 +17,18 @@ const std::map<std::string, std::vector<std::string>> &joints()
         {"pelvis", {"hips", "pelvis", "hip"}},
         {"spine1", {"spine", "spine1", "abdomen", "torsojoint1"}},
         {"spine2", {"spineupper", "spine1", "spine2", "torso", "chest"}},
-        {"spine3", {"chest", "upperchest", "spine2", "spine3", "torso"}},
+        {"spine3", {"upperchest", "chest", "spine2", "spine3", "torso"}},
         {"neck", {"neck", "neck1", "neckjoint1"}},
         {"head", {"head", "neckjoint2", "skeletonneckjoint2"}},
         {"collar", {"clavicle*", "@shoulder", "*shoulder", "shoulder*", "collar*"}},
         {"shoulder", {"upperarm*", "@arm", "@upperarm", "*upperarm", "armjoint*1"}},
         {"elbow", {"forearm*", "lowerarm*", "@forearm", "@lowerarm", "*lowerarm", "armjoint*2"}},
         {"wrist", {"hand*", "wrist*", "@hand", "*hand", "fist*", "palm*", "armjoint*3"}},
-        {"hand", {"fingers*", "hand*", "@handmiddle1", "*middle1", "middle1*", "middle2*", "fist*"}},
+        {"hand", {"fingers*", "hand*", "@handmiddle1", "@middleproximal", "*middle1", "middle1*", "middle2*", "fist*"}},
         {"hip", {"thigh*", "upperleg*", "@upleg", "@upperleg", "*upperleg", "legjoint*1"}},
         {"knee", {"shin*", "lowerleg*", "@leg", "@lowerleg", "*lowerleg", "calf*", "legjoint*2"}},
         {"ankle", {"foot*", "@foot", "*foot", "legjoint*3"}},
-        {"foot", {"toes*", "toe*", "@toebase", "*toebase", "legjoint*5"}}};
+        {"foot", {"toes*", "toe*", "@toes", "@toebase", "*toebase", "legjoint*5"}}};
     return all;
 }
 

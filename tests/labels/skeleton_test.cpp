@@ -1,10 +1,14 @@
 // Keypoints of characters of several makers: each is found, and lies where that part of a body is.
 #include "samples/labels/skeleton.h"
 
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 
 #include <gtest/gtest.h>
+
+#include "tests/labels/vrm_skeleton.h"
 
 namespace
 {
@@ -148,6 +152,47 @@ TEST_P(KeypointsOfFiles, AreFoundByTheNamesOfTheirMakers)
 INSTANTIATE_TEST_SUITE_P(Makers, KeypointsOfFiles,
                          testing::Values("kaykit/Barbarian.glb", "kaykit/Mage.glb",
                                          "quaternius-ultimate/Casual_Male.gltf", "quaternius-modular/Man_Suit.glb"));
+
+// What VRoid Studio calls a bone of VRM: J_Bip_L_UpperArm for leftUpperArm.
+std::string vroid_name(const std::string &bone)
+{
+    std::string side = "C", rest = bone;
+    for (const char *word : {"left", "right"})
+        if (bone.rfind(word, 0) == 0)
+            side = word == std::string("left") ? "L" : "R", rest = bone.substr(std::strlen(word));
+    rest[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(rest[0])));
+    if (rest == "Toes") rest = "ToeBase";
+    if (rest == "MiddleProximal") rest = "Middle1";
+    return "J_Bip_" + side + "_" + rest;
+}
+
+TEST(Keypoints, OfSkeletonsOfVrmAreFoundByTheNamesOfItsBonesAndOfVroidStudio)
+{
+    scenes::Library library(1);
+    for (const bool of_studio : {false, true}) {
+        SCOPED_TRACE(of_studio ? "J_Bip_L_UpperArm" : "leftUpperArm");
+        const std::vector<uint8_t> file =
+            labels_test::vrm_skeleton([&](const std::string &bone) { return of_studio ? vroid_name(bone) : bone; });
+        clq_asset *asset = nullptr;
+        check(clq_asset_load(library.context(), file.data(), file.size(), nullptr, &asset));
+        const scenes::Own<clq_asset> held(asset);
+        clq_template *tmpl = nullptr;
+        check(clq_asset_build(library.context(), asset, 0, &tmpl));
+        const scenes::Own<clq_template> owner(tmpl);
+        const auto coco = rest_points(library, tmpl, labels::coco_keypoints());
+        ASSERT_EQ(coco.size(), 17u);
+        expect_body(coco);
+        const auto smpl = rest_points(library, tmpl, labels::smpl_keypoints());
+        ASSERT_EQ(smpl.size(), 24u);
+        const char *const upwards[] = {"pelvis", "spine1", "spine2", "spine3", "neck", "head"};
+        for (size_t i = 1; i < 6; ++i) EXPECT_GT(smpl.at(upwards[i])[1], smpl.at(upwards[i - 1])[1]) << upwards[i];
+        for (const std::string side : {"left_", "right_"}) {
+            EXPECT_NEAR(std::abs(smpl.at(side + "hand")[0] - smpl.at(side + "wrist")[0]), 0.09, 1e-6);
+            EXPECT_NEAR(smpl.at(side + "foot")[2] - smpl.at(side + "ankle")[2], 0.12, 1e-6);
+            EXPECT_NEAR(std::abs(smpl.at(side + "shoulder")[0] - smpl.at(side + "collar")[0]), 0.12, 1e-6);
+        }
+    }
+}
 
 TEST(KeypointSets, HaveTheNumbersOfTheirPublications)
 {
