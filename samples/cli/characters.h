@@ -20,6 +20,8 @@ struct LoadedCharacter {
 };
 
 bool is_prepared(const std::string &path);
+// Whether a file's name says that it is of a format that only `claque convert` reads.
+bool is_other_format(const std::string &path);
 
 // Both throw Failure with the path in the message. `first_clip`: the first to show, see add_clips.
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,

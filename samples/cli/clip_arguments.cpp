@@ -25,7 +25,7 @@ JointMap map_of(const ClipArguments &a)
 
 }  // namespace
 
-void add_clip_options(CLI::App &command, ClipArguments &a)
+CLI::Option *add_clip_files(CLI::App &command, ClipArguments &a)
 {
     CLI::Option *files = command
                              .add_option("--clips", a.files,
@@ -34,13 +34,19 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
                              ->type_name("FILE")
                              ->expected(1)
                              ->take_all();
-    command.add_option("--vary", a.vary, "Vary the clips of a built-in person until it has this many, such as 150")
-        ->check(CLI::Range(19, 2000));
     command
         .add_option("--map", a.map,
                     "Map (TOML) that binds joints of the clips to joints of the character and says how clips are read")
-        ->type_name("FILE")
-        ->needs(files);
+        ->type_name("FILE");
+    return files;
+}
+
+void add_clip_options(CLI::App &command, ClipArguments &a)
+{
+    CLI::Option *files = add_clip_files(command, a);
+    command.get_option("--map")->needs(files);
+    command.add_option("--vary", a.vary, "Vary the clips of a built-in person until it has this many, such as 150")
+        ->check(CLI::Range(19, 2000));
     command.add_option("--unit", a.unit_m, "Metres of one unit in BVH files (default 1, or what the map says)")
         ->check(CLI::Range(1e-6, 1e6));
     command.add_option("--from", a.start_s, "Seconds to skip at the beginning of each clip")

@@ -19,6 +19,9 @@ struct ClipArguments {
     double unit_m = 0, start_s = -1, end_s = -1, close_s = -1, rate_hz = 0;  // 0 and negative: as the map says
 };
 
+// --clips, which is returned, and --map.
+CLI::Option *add_clip_files(CLI::App &command, ClipArguments &arguments);
+// These and all others.
 void add_clip_options(CLI::App &command, ClipArguments &arguments);
 
 // Adds the clips that the arguments name. Returns the index of the first clip to show: the first added one, or 0.

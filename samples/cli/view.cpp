@@ -1,6 +1,7 @@
 // claque view: a window on a scene, a character, a scenario, trajectories or a record.
 #include "samples/view/view.h"
 
+#include <algorithm>
 #include <iostream>
 
 #include "samples/cli/command.h"
@@ -16,7 +17,8 @@ namespace
 
 struct ViewArguments {
     ViewWhat what;
-    std::string script, rates, colours, folder = ".";
+    std::vector<std::string> files;
+    std::string script, rates, folder = ".";
     double scale = 1;
     CLI::Option *serve = nullptr;
     std::string place, password_file;
@@ -44,7 +46,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     if (a.serve->count() > 0) request.serve = a.served;
     request.say = [](const std::string &line) { std::cout << line << std::endl; };
     request.folder = a.folder;
-    request.colours = a.colours;
+    request.colours = a.what.colours;
     request.script_file = a.script;
     request.rates = a.rates;
     if (!a.script.empty()) request.script = text_of(a.script);
@@ -61,14 +63,17 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
 
 void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
 {
-    c.add_option("FILE", a->what.setup.file,
-                 "A character (glTF, GLB, a prepared file, or the name of a built-in one), a file of trajectories "
-                 "(docs/trajectories.md), or a record (docs/records.md)");
+    c.add_option(
+        "FILE", a->files,
+        "A character (glTF, GLB, a prepared file, or the name of a built-in one), a scene's name, a scenario, a "
+        "file of trajectories (docs/trajectories.md), or a record (docs/records.md); besides these, what could "
+        "be dropped on the window: textures and clips (BVH) of the character, a colour map, a camera path");
     c.add_option("--scene", a->what.setup.scene, "Scene to show (default plaza)")->check(scene_names());
     add_scenario_option(c, a->what.setup);
     c.add_option("--count", a->what.setup.count, "Number of people (default: the scene's own)")
         ->check(CLI::Range(1, 1000000));
     add_hide_option(c, a->what.setup);
+    add_clip_files(c, a->what.clips);
     add_reading_options(c, a->what.tracks);
     add_walking_options(c, a->what.tracks);
     c.get_option("--characters")
@@ -103,7 +108,7 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--rates", a->rates, "What the frames of a measured script cost, as JSON")
         ->type_name("FILE")
         ->needs("--script");
-    c.add_option("--colours", a->colours, "Colour map to wear and to design (TOML, docs/colours.md)")
+    c.add_option("--colours", a->what.colours, "Colour map to wear and to design (TOML, docs/colours.md)")
         ->type_name("FILE");
     c.add_option("--shots", a->folder,
                  "Folder of saved pictures, films, camera paths and colour maps (default: the current one)")
@@ -114,13 +119,13 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
         ->capture_default_str();
 }
 
-// What follows --serve is a place, or else the file to show.
+// What follows --serve is a place, or else a file to show.
 void read_serving(ViewArguments &a)
 {
     if (!a.place.empty() && !view::serve::read_place(a.place, a.served)) {
-        if (!a.what.setup.file.empty())
+        if (!a.files.empty())
             throw CLI::ValidationError("--serve", "'" + a.place + "' is no ADDRESS:PORT, as 127.0.0.1:5900 is");
-        a.what.setup.file = a.place;
+        a.files.push_back(a.place);
     }
     if (a.password_file.empty()) return;
     const std::string text = text_of(a.password_file);
@@ -129,15 +134,36 @@ void read_serving(ViewArguments &a)
         throw CLI::ValidationError("--password-file", a.password_file + " has no password in its first line");
 }
 
+int subjects_of(const ViewWhat &what)
+{
+    return !what.setup.file.empty() + !what.setup.scene.empty() + !what.setup.scenario.empty() +
+           !what.tracks.file.empty();
+}
+
+// First what is shown, then what changes it.
+void take_files(ViewArguments &a)
+{
+    std::stable_partition(a.files.begin(), a.files.end(), is_subject);
+    int subjects = subjects_of(a.what);
+    for (const std::string &file : a.files) {
+        if (is_subject(file) && ++subjects > 1)
+            throw CLI::ValidationError("FILE",
+                                       "one scene, scenario, character, record or file of people on tracks can "
+                                       "be shown, and '" +
+                                           file + "' is one more");
+        a.what = with_file(a.what, file);
+    }
+    if (!a.what.clips.files.empty() && a.what.setup.file.empty())
+        throw CLI::ValidationError("--clips", "no character is shown that could have them: name one as FILE");
+}
+
 void check_view_usage(ViewArguments &a)
 {
     read_serving(a);
-    const int subjects = !a.what.setup.file.empty() + !a.what.setup.scene.empty() + !a.what.setup.scenario.empty();
-    const bool of_tracks = !a.what.setup.file.empty() && !is_view_character(a.what.setup.file);
-    if (subjects > 0 && !of_tracks && !a.what.tracks.characters.empty())
+    take_files(a);
+    if (subjects_of(a.what) > 0 && a.what.tracks.file.empty() && !a.what.tracks.characters.empty())
         throw CLI::ValidationError("--characters", "line up by themselves, or walk on the tracks of a file");
-    if (subjects > 1) throw CLI::ValidationError("FILE", "--scene and --scenario exclude each other");
-    if (of_tracks) std::swap(a.what.tracks.file, a.what.setup.file);
+    if (subjects_of(a.what) > 1) throw CLI::ValidationError("--scene", "--scene and --scenario exclude each other");
     read_scenario(a.what.setup);
     if (a.what.tracks.file.empty()) check_scene_usage(a.what.setup);
 }

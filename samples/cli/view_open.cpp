@@ -5,8 +5,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "samples/cli/files.h"
-#include "samples/scenes/colours.h"
+#include "samples/cli/view_files.h"
 #include "samples/scenes/walkers/people.h"
 #include "samples/scenes/walkers/replay.h"
 #include "samples/view/designer/line_up.h"
@@ -42,24 +41,6 @@ void line_up(const ViewWhat &what, scenes::Library &library, Kept &kept, view::O
     };
     opened.options.crowd_options.count = what.setup.count > 0 ? what.setup.count : people_in_line;
     opened.options.crowd_options.seed = what.setup.seed;
-}
-
-bool ends_with(const std::string &text, const std::string &end)
-{
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-bool is_image(const std::string &path)
-{
-    for (const char *end : {".png", ".jpg", ".jpeg", ".PNG", ".JPG"})
-        if (ends_with(path, end)) return true;
-    return false;
-}
-
-// Whether a TOML file has a table of this name.
-bool has_table(const std::string &toml, const std::string &name)
-{
-    return toml.rfind("[[" + name, 0) == 0 || toml.find("\n[[" + name) != std::string::npos;
 }
 
 void take_times(const ViewWhat &what, scenes::Library &library, view::Opened &opened)
@@ -103,11 +84,11 @@ void add_texture(scenes::Library &library, clq_asset *asset, const std::string &
 LoadedCharacter load_textured(scenes::Library &library, const ViewWhat &what)
 {
     if (what.textures.empty())
-        return load_character(library, what.setup.file, what.setup.hidden, {}, levels_of_file(what.setup));
+        return load_character(library, what.setup.file, what.setup.hidden, what.clips, levels_of_file(what.setup));
     if (is_prepared(what.setup.file))
         throw scenes::Failure(what.setup.file + " is prepared, and takes no other texture");
     LoadedCharacter loaded;
-    loaded.asset = load_asset(library, what.setup.file, what.setup.hidden);
+    loaded.asset = load_asset(library, what.setup.file, what.setup.hidden, what.clips, &loaded.first_clip);
     for (const std::string &path : what.textures) add_texture(library, loaded.asset.get(), path);
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), what.setup.file);
@@ -115,55 +96,15 @@ LoadedCharacter load_textured(scenes::Library &library, const ViewWhat &what)
     return loaded;
 }
 
-void dress(const ViewWhat &what, scenes::Library &library, const scenes::Scene &scene)
+void dress(const ViewWhat &what, const scenes::Scene &scene)
 {
-    if (!what.textures.empty())
-        for (const clq_actor actor : scene.actors()) {
-            clq_actor_info info = clq_actor_info_init();
-            scenes::check(clq_actor_get_info(scene.crowd(), actor, &info));
-            const uint32_t last = info_of(info.tmpl).texture_set_count - 1;
-            scenes::check(clq_actor_set_texture_set(scene.crowd(), actor, last));
-        }
-    if (what.colours.empty()) return;
-    const scenes::ColourMap map = scenes::read_colours(library, text_of(what.colours), what.colours);
-    scenes::colour(scene, map.get(), what.setup.seed);
-}
-
-// Everything that is shown by a subject of its own goes.
-ViewWhat with_subject(ViewWhat what)
-{
-    what.setup.file.clear(), what.setup.scene.clear(), what.setup.scenario.clear(), what.setup.path.clear();
-    what.setup.described.reset();
-    what.tracks.file.clear();
-    what.textures.clear(), what.colours.clear();
-    return what;
-}
-
-ViewWhat with_toml(ViewWhat what, const std::string &path)
-{
-    const std::string text = text_of(path);
-    if (has_table(text, "classes")) what.colours = path;
-    else if (has_table(text, "keys")) what.setup.path = path;
-    else {
-        what = with_subject(what);
-        what.setup.scenario = path;
-        read_scenario(what.setup);
+    if (what.textures.empty()) return;
+    for (const clq_actor actor : scene.actors()) {
+        clq_actor_info info = clq_actor_info_init();
+        scenes::check(clq_actor_get_info(scene.crowd(), actor, &info));
+        const uint32_t last = info_of(info.tmpl).texture_set_count - 1;
+        scenes::check(clq_actor_set_texture_set(scene.crowd(), actor, last));
     }
-    return what;
-}
-
-ViewWhat with_file(ViewWhat what, const std::string &path)
-{
-    if (ends_with(path, ".toml")) return with_toml(what, path);
-    if (is_image(path)) {
-        if (what.setup.file.empty())
-            throw scenes::Failure(path + " is a texture, and no character is shown that could have it");
-        what.textures.push_back(path);
-        return what;
-    }
-    what = with_subject(what);
-    (is_view_character(path) ? what.setup.file : what.tracks.file) = path;
-    return what;
 }
 
 }  // namespace
@@ -172,12 +113,6 @@ bool lines_up(const ViewWhat &what)
 {
     return !what.tracks.characters.empty() && what.tracks.file.empty() && what.setup.file.empty() &&
            what.setup.scene.empty() && what.setup.scenario.empty();
-}
-
-bool is_view_character(const std::string &file)
-{
-    if (ends_with(file, ".glb") || ends_with(file, ".gltf") || is_prepared(file)) return true;
-    return file.find('.') == std::string::npos && file.find('/') == std::string::npos;  // a built-in character
 }
 
 view::Opened open_view(const ViewWhat &what, scenes::Library &library)
@@ -205,29 +140,30 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     }
     if (lines_up(what)) line_up(what, library, *kept, opened);
     opened.keeps = kept;
-    opened.dress = [what](scenes::Library &of, const scenes::Scene &scene) { dress(what, of, scene); };
+    opened.dress = [what](scenes::Library &, const scenes::Scene &scene) { dress(what, scene); };
     opened.asset_of = [what](scenes::Library &of, const std::string &name) {
-        scenes::Own<clq_asset> asset =
-            load_asset(of, what.setup.file.empty() ? name : what.setup.file, what.setup.hidden);
-        if (!what.setup.file.empty())
-            for (const std::string &path : what.textures) add_texture(of, asset.get(), path);
+        if (what.setup.file.empty()) return load_asset(of, name);
+        scenes::Own<clq_asset> asset = load_asset(of, what.setup.file, what.setup.hidden, what.clips);
+        for (const std::string &path : what.textures) add_texture(of, asset.get(), path);
         return asset;
     };
     if (opened.options.path) opened.last_s = std::max(60.0, opened.options.path->end_s());
     return opened;
 }
 
-std::function<view::Open(const std::string &path)> view_drops(const ViewWhat &what)
+view::Drop view_drops(const ViewWhat &what)
 {
     // What is shown now; a file that cannot be shown leaves it.
     const auto shown = std::make_shared<ViewWhat>(what);
-    return [shown](const std::string &path) -> view::Open {
-        const ViewWhat next = with_file(*shown, path);
-        return [shown, next](scenes::Library &library) {
-            view::Opened opened = open_view(next, library);
-            *shown = next;
-            return opened;
-        };
+    return [shown](const std::string &path) -> view::Dropped {
+        const ViewWhat next = with_dropped(*shown, path);
+        if (is_colour_map(path)) return {nullptr, path};
+        return {[shown, next](scenes::Library &library) {
+                    view::Opened opened = open_view(next, library);
+                    *shown = next;
+                    return opened;
+                },
+                ""};
     };
 }
 

@@ -16,6 +16,21 @@ void fade_to(Model &model, const World &world, const std::string &clip)
     add_fade(picked_role(model, world)->motion, fade);
 }
 
+// The clip that moves it most at this time; -1: none does.
+int main_clip(const Model &model, const World &world)
+{
+    clq_active_clip active[CLQ_ACTIVE_CLIP_MAX] = {};
+    uint32_t count = 0;
+    if (clq_actor_get_active_clips(world.crowd(), model.picked.actor, model.clock.time_s, active, &count) != CLQ_OK)
+        return -1;
+    int found = -1;
+    float most = 0;
+    for (uint32_t k = 0; k < count; ++k)
+        if (active[k].clip != CLQ_NONE && active[k].kind == CLQ_LAYER_REPLACE && active[k].weight >= most)
+            found = static_cast<int>(active[k].clip), most = active[k].weight;
+    return found;
+}
+
 void clips(Ui &ui, Model &model, const World &world, const clq_template *tmpl, uint32_t count)
 {
     std::vector<std::string> names;
@@ -23,7 +38,7 @@ void clips(Ui &ui, Model &model, const World &world, const clq_template *tmpl, u
         clq_clip_info clip = clq_clip_info_init();
         if (clq_template_get_clip(tmpl, k, &clip) == CLQ_OK) names.emplace_back(clip.name);
     }
-    int chosen = -1;
+    int chosen = main_clip(model, world);
     if (!names.empty() && ui.choice("clip", chosen, names)) fade_to(model, world, names[static_cast<size_t>(chosen)]);
     if (names.empty()) return ui.faint("It has no clips.");
     ui.slider("fade", model.fade_s, 0, 2, "%.2f s");

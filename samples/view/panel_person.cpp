@@ -8,23 +8,23 @@ namespace view
 namespace
 {
 
-std::string clips_of(const Model &model, const World &world, const clq_template *tmpl)
+// A line for each clip that moves it.
+void clip_rows(Ui &ui, const Model &model, const World &world, const clq_template *tmpl)
 {
     clq_active_clip clips[CLQ_ACTIVE_CLIP_MAX] = {};
     uint32_t count = 0;
     if (clq_actor_get_active_clips(world.crowd(), model.picked.actor, model.clock.time_s, clips, &count) != CLQ_OK)
-        return "not known";
-    std::string text;
+        return ui.row("clip", "not known");
+    if (count == 0) ui.row("clip", "rest pose");
     for (uint32_t k = 0; k < count; ++k) {
-        if (!text.empty()) text += ", ";
+        std::string text = "rest pose";
         clq_clip_info clip = clq_clip_info_init();
-        if (clips[k].clip == CLQ_NONE || clq_template_get_clip(tmpl, clips[k].clip, &clip) != CLQ_OK)
-            text += "rest pose";
-        else text += std::string(clip.name) + " at " + fixed(clips[k].clip_time_s, 2) + " s";
+        if (clips[k].clip != CLQ_NONE && clq_template_get_clip(tmpl, clips[k].clip, &clip) == CLQ_OK)
+            text = std::string(clip.name) + " at " + fixed(clips[k].clip_time_s, 2) + " s";
         if (clips[k].kind != CLQ_LAYER_REPLACE || clips[k].weight < 1)
             text += " (" + fixed(static_cast<double>(clips[k].weight) * 100, 0) + " %)";
+        ui.row(k == 0 ? "clip" : "", text);
     }
-    return text.empty() ? "rest pose" : text;
 }
 
 void zone_row(Ui &ui, const Model &model, const World &world, const clq_template *tmpl)
@@ -79,11 +79,11 @@ void person_panel(Ui &ui, Model &model, const World &world)
     ui.row("template", tmpl.name);
     if (tmpl.texture_set_count > 1) {
         const char *set = clq_template_get_texture_set_name(info.tmpl, info.texture_set);
-        ui.row("textures", *set != 0 ? set : "set " + std::to_string(info.texture_set));
+        ui.row("textures", *set != 0 ? set : info.texture_set == 0 ? "own" : "set " + std::to_string(info.texture_set));
     }
     zone_row(ui, model, world, info.tmpl);
-    ui.row("clip", clips_of(model, world, info.tmpl));
-    if (info.visible) drawing_rows(ui, info, model.clock.time_s);
+    clip_rows(ui, model, world, info.tmpl);
+    if (info.visible) drawing_rows(ui, info, world.shown_s());
     else ui.faint("It is out of view.");
     if (let_go) model.picked = {};
 }

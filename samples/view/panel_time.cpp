@@ -6,7 +6,20 @@
 namespace view
 {
 
-void time_bar(Ui &ui, Model &model)
+std::string status(const Model &model, size_t letters)
+{
+    if (!model.message.empty()) return model.message;
+    std::string hands = "click: pick";
+    for (const char *more :
+         {"drag: turn", "wheel: zoom", "shift: pan", "F: frame", "tab: panels", "WASD: walk", "space: pause"}) {
+        const std::string longer = hands + ", " + more;
+        if (longer.size() > letters) break;
+        hands = longer;
+    }
+    return hands;
+}
+
+void time_bar(Ui &ui, Model &model, size_t letters)
 {
     constexpr double step_s = 0.04;
     Clock &clock = model.clock;
@@ -23,8 +36,7 @@ void time_bar(Ui &ui, Model &model)
     float at = static_cast<float>(clock.time_s);
     if (ui.slider("time", at, static_cast<float>(clock.first_s), static_cast<float>(clock.last_s), "%.2f s"))
         clock.time_s = static_cast<double>(at);
-    if (model.message.empty()) ui.faint("drag: turn, shift: pan, wheel: zoom, WASD: walk, F: frame, tab: panels");
-    else ui.faint(model.message);
+    ui.faint(status(model, letters));
 }
 
 }  // namespace view

@@ -36,19 +36,20 @@ Layout layout_of(const Ui &ui, const Model &model, int width, int height)
 {
     const float w = static_cast<float>(width), h = static_cast<float>(height);
     const float side = model.panel ? std::min(24 * ui.em(), w * 0.6f) : 0;
-    // A long message takes more lines of the lower bar.
-    const float letters = static_cast<float>(model.message.size()) * 0.54f * ui.em();
-    const float lines = std::ceil(letters / std::max(1.0f, w - 2 * ui.em()));
+    // A long sentence takes more lines of the lower bar.
+    constexpr float letter_em = 0.54f;
+    const auto room = static_cast<size_t>(std::max(1.0f, (w - 2 * ui.em()) / (letter_em * ui.em())));
+    const float lines = static_cast<float>(line_count(status(model, room), room));
     const float high = std::min((6 + 1.1f * std::max(0.0f, lines - 1)) * ui.em(), h / 2);
     const float x = std::floor(w - side), y = std::floor(h - high);
-    return {{x, 0, w, y}, {0, y, w, h}, std::max(1, static_cast<int>(x)), std::max(1, static_cast<int>(y))};
+    return {{x, 0, w, y}, {0, y, w, h}, std::max(1, static_cast<int>(x)), std::max(1, static_cast<int>(y)), room};
 }
 
 void panels(Ui &ui, Model &model, const World &world, const Input &input)
 {
     const Layout layout = layout_of(ui, model, input.width, input.height);
     ui.begin_panel("bottom", layout.bottom);
-    time_bar(ui, model);
+    time_bar(ui, model, layout.letters);
     ui.end_panel();
     if (!model.panel) return;
     ui.begin_panel("side", layout.side);

@@ -9,7 +9,10 @@
 namespace view
 {
 
-void time_bar(Ui &ui, Model &model);
+void time_bar(Ui &ui, Model &model, size_t letters);
+// The last words of that bar: about the last thing that was done, or else as much of what the mouse and the keys do as
+// has room in a line of so many letters.
+std::string status(const Model &model, size_t letters);
 void camera_panel(Ui &ui, Model &model, const World &world);
 void person_panel(Ui &ui, Model &model, const World &world);
 void character_panel(Ui &ui, Model &model, const World &world);
@@ -19,6 +22,7 @@ void frame_panel(Ui &ui, Model &model, const World &world);
 struct Layout {
     Box side, bottom;
     int picture_width, picture_height;  // of the rest, in the upper left corner
+    size_t letters;                     // in a line of the lower panel
 };
 Layout layout_of(const Ui &ui, const Model &model, int width, int height);
 

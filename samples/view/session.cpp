@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "samples/scenes/odeon/toml_table.h"
+#include "samples/view/designer/files.h"
 #include "samples/view/gl_calls.h"
 
 namespace view
@@ -56,12 +57,26 @@ void Session::take_times()
     if (world_.has_path()) model_.view.shot = 2;
 }
 
+void Session::put_on(const std::string &colours)
+{
+    Designer &designer = model_.designer;
+    load_design(designer, world_.context(), colours);
+    designer.file = colours;
+    model_.open.designer = true;
+}
+
 void Session::take_drop(const std::string &path)
 {
     const std::string name = path.substr(path.rfind('/') + 1);
     if (!drop_) return;
     try {
-        world_.open(drop_(path));
+        const Dropped dropped = drop_(path);
+        if (!dropped.colours.empty()) {
+            put_on(dropped.colours);
+            model_.message = name + " is worn";
+            return;
+        }
+        world_.open(dropped.open);
     } catch (const scenes::Failure &failure) {
         model_.message = failure.what();
         return;

@@ -15,8 +15,9 @@ public:
     // The same with what `open` made already, with the same switches.
     Session(Surface &surface, Open open, Loaded loaded, const Switches &switches, float scale, Now now);
 
-    // What a file that is dropped shows. It may throw scenes::Failure, which the person reads.
-    void on_drop(std::function<Open(const std::string &path)> drop) { drop_ = std::move(drop); }
+    void on_drop(Drop drop) { drop_ = std::move(drop); }
+    // The people wear a map's colours from the next frame on, and the designer has them. Throws scenes::Failure.
+    void put_on(const std::string &colours);
     // One frame: the person's input, the panels, the crowd at the model's time, and the picture of it all.
     void frame(const Input &input);
 
@@ -33,7 +34,7 @@ private:
 
     Surface &surface_;
     Now now_;
-    std::function<Open(const std::string &path)> drop_;
+    Drop drop_;
     World world_;
     Ui ui_;
     Hands hands_;

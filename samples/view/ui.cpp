@@ -202,7 +202,7 @@ bool Ui::choice(const char *name, int &value, const std::vector<std::string> &it
         if (chosen) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
         const bool here = ImGui::Button(items[i].c_str());
         if (chosen) ImGui::PopStyleColor();
-        note(std::string(name) + ": " + items[i], here);
+        mark(std::string(name) + ": " + items[i], here).chosen = chosen;
         at = ImGui::GetItemRectMax().x;
         if (!here) continue;
         value = static_cast<int>(i);

@@ -23,10 +23,16 @@ struct Box {
 
 struct Widget {
     std::string name;
-    Box box, clip;       // where it is, and the part of the picture that its panel shows
-    bool used = false;   // in this frame
-    bool round = false;  // a share of it is a share of a turn: 0 at the top, clockwise
+    Box box, clip;        // where it is, and the part of the picture that its panel shows
+    bool used = false;    // in this frame
+    bool chosen = false;  // one of several that is shown as the choice
+    bool round = false;   // a share of it is a share of a turn: 0 at the top, clockwise
 };
+
+// Words in lines of at most so many letters, broken at spaces alone: a number keeps its decimals on its line.
+std::string in_lines(const std::string &words, size_t letters);
+// How many these are; what has no space is broken anywhere.
+size_t line_count(const std::string &words, size_t letters);
 
 class Ui
 {

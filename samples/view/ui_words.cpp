@@ -9,10 +9,37 @@
 namespace view
 {
 
+std::string in_lines(const std::string &words, size_t letters)
+{
+    std::string out = words;
+    size_t line = 0, space = std::string::npos;
+    for (size_t at = 0; at < out.size(); ++at) {
+        if (out[at] == '\n') line = at + 1, space = std::string::npos;
+        if (out[at] == ' ' && at > line) space = at;
+        if (at - line < letters || space == std::string::npos || out[at] == ' ') continue;
+        out[space] = '\n';
+        line = space + 1;
+        space = std::string::npos;
+    }
+    return out;
+}
+
+size_t line_count(const std::string &words, size_t letters)
+{
+    const std::string lines = in_lines(words, letters) + '\n';
+    size_t count = 0;
+    for (size_t from = 0, to = 0; (to = lines.find('\n', from)) != std::string::npos; from = to + 1)
+        count += std::max<size_t>(1, (to - from + letters - 1) / letters);
+    return count;
+}
+
 void Ui::text(const std::string &words)
 {
+    // All letters of the font are equally wide. What has no space is broken by ImGui.
+    const float room = ImGui::GetContentRegionAvail().x / ImGui::CalcTextSize("0").x;
+    const std::string lines = in_lines(words, static_cast<size_t>(std::max(1.0f, room)));
     ImGui::PushTextWrapPos(0);
-    ImGui::TextUnformatted(words.c_str());
+    ImGui::TextUnformatted(lines.c_str());
     ImGui::PopTextWrapPos();
     said_.push_back(placed(words, false));
 }

@@ -2,7 +2,6 @@
 
 #include <chrono>
 
-#include "samples/view/designer/files.h"
 #include "samples/view/loading.h"
 #include "samples/view/rates.h"
 #include "samples/view/saved.h"
@@ -17,15 +16,13 @@ namespace
 
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// The people wear a map's colours from the first frame on.
-void put_on(const Request &request, Session &session)
+// Everything that a request asks of a new session.
+void begin(const Request &request, Session &session)
 {
+    session.on_drop(request.drop);
     if (request.colours.empty()) return;
-    Designer &designer = session.model().designer;
-    load_design(designer, session.world().context(), request.colours);
-    designer.history = {};
-    designer.file = request.colours;
-    session.model().open.designer = true;
+    session.put_on(request.colours);
+    session.model().designer.history = {};
 }
 
 void run_script(const Request &request)
@@ -38,8 +35,7 @@ void run_script(const Request &request)
     Player player(std::move(script), request.width, request.height);
     const auto surface = make_offscreen_surface(request.context, request.width, request.height);
     Session session(*surface, request.open, request.switches, request.scale, now);
-    session.on_drop(request.drop);
-    put_on(request, session);
+    begin(request, session);
     Saved saved(request);
     Input input;
     uint64_t frames = 0;
@@ -73,8 +69,7 @@ void run_window(const Request &request)
     if (!loaded) return;
     const double ready = steady_s();
     Session session(*window, request.open, std::move(*loaded), request.switches, request.scale, steady_s);
-    session.on_drop(request.drop);
-    put_on(request, session);
+    begin(request, session);
     Saved saved(request);
     Input input;
     uint64_t frames = 0;

@@ -14,7 +14,7 @@ namespace view
 struct Request {
     std::string title;
     Open open;
-    std::function<Open(const std::string &path)> drop;  // Session::on_drop
+    Drop drop;  // Session::on_drop
     Switches switches;
     int width = 1280, height = 800;
     float scale = 1;

@@ -61,7 +61,7 @@ public:
             close();
             throw scenes::Failure("no window with OpenGL could be opened: " + why);
         }
-        s.SetWindowMinimumSize(window_, 320, 240);
+        s.SetWindowMinimumSize(window_, 480, 320);
         s.GL_SetSwapInterval(1);
         s.StartTextInput();
         name_ = described();

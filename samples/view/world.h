@@ -30,6 +30,15 @@ struct Opened {
     std::string character_file;  // of options.character; empty: it is built in
 };
 using Open = std::function<Opened(scenes::Library &)>;
+
+// What a dropped file changes: the scene, or the colours of its people.
+struct Dropped {
+    Open open;            // empty: the scene stays
+    std::string colours;  // a colour map; empty: none
+};
+// Throws scenes::Failure, which the person reads.
+using Drop = std::function<Dropped(const std::string &path)>;
+
 using Now = double (*)();  // seconds; null: costs are not measured
 
 // Templates with painted zones, which take the places of those that a scene would take. Those that no library owns are
@@ -79,6 +88,7 @@ public:
     const clq_template *character() const { return opened_.options.character.tmpl; }
     const std::string &character_file() const { return opened_.character_file; }
     bool has_path() const { return path_.has_value(); }
+    double shown_s() const { return time_s_; }  // the time of the last frame
     double first_s() const { return opened_.first_s; }
     double last_s() const { return opened_.last_s; }
     const std::vector<clq_template *> &templates() const { return templates_; }

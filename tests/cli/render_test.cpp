@@ -54,6 +54,24 @@ TEST_F(Render, ASequenceSkipsWhatIsFinishedAndMendsWhatIsNot)
     EXPECT_EQ(file_text(path("s-00000.png")), first);
 }
 
+// The highest lines of a picture of one person show the backdrop alone, which changes little from pixel to pixel.
+TEST_F(Render, APersonWithClipsInWhichItSitsIsInThePictureFromHeadToFoot)
+{
+    for (const char *person : {"citizen", "patrician", "decurion"}) {
+        constexpr size_t width = 160, height = 120;
+        const Outcome one = claque({"render", person, "--count", "1", "--size", "160x120", "--out", "-"});
+        ASSERT_EQ(one.code, 0) << one.err;
+        ASSERT_EQ(one.out.size(), 3 * width * height);
+        int most = 0;
+        for (size_t y : {size_t(0), size_t(1), height - 1})
+            for (size_t k = 3; k < 3 * width; ++k) {
+                const auto at = [&](size_t i) { return static_cast<unsigned char>(one.out[3 * width * y + i]); };
+                most = std::max(most, std::abs(at(k) - at(k - 3)));
+            }
+        EXPECT_LT(most, 12) << person;
+    }
+}
+
 TEST_F(Render, TheRawStreamHasThreeBytesAPixelAndNothingElse)
 {
     const Outcome one = claque({"render", "--count", "9", "--size", "50x30", "--time", "0.04", "--out", "-"});

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -28,6 +29,9 @@ protected:
     }
     void write(const std::string &name, const std::string &text) const { std::ofstream(path(name)) << text; }
     std::string drop(const std::string &file) const { return "drop \"" + file + "\""; }
+
+    const std::string samples_ = std::string(CLAQUE_SOURCE_DIR) + "/samples";
+    const std::string classes_ = samples_ + "/maps/roman-classes.toml";
 };
 
 TEST_F(ViewCommand, ShowsWhatIsDroppedOnIt)
@@ -45,14 +49,64 @@ TEST_F(ViewCommand, ShowsWhatIsDroppedOnIt)
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
-TEST_F(ViewCommand, GivesItsPeopleTheColoursThatAreDropped)
+TEST_F(ViewCommand, GivesItsPeopleTheColoursThatAreDroppedAndLetsThemBeEdited)
 {
-    const std::string colours = std::string(CLAQUE_SOURCE_DIR) + "/samples/maps/roman-classes.toml";
-    const Outcome outcome =
-        view({"patrician", "--count", "3"}, {"click \"pause\"", "wait 0.1", "shot own.png", drop(colours),
-                                             "see \"roman-classes.toml is shown\"", "wait 0.1", "shot classes.png"});
+    const Outcome outcome = view({"patrician", "--count", "3"},
+                                 {"click \"pause\"", "wait 0.1", "click \"picture\"", drop(classes_), "wait 0.1",
+                                  "see \"roman-classes.toml is worn\"", "see \"1 changes to undo\"",
+                                  "click \"picture\"", "click \"undo\"", "wait 0.1", "click \"picture\""});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
-    EXPECT_NE(file_text(path("own.png")), file_text(path("classes.png")));
+    EXPECT_NE(file_text(path("view-1.png")), file_text(path("view-2.png")));
+    EXPECT_EQ(file_text(path("view-1.png")), file_text(path("view-3.png")));
+}
+
+TEST_F(ViewCommand, ShowsWhatItsFilesWouldShowIfTheyWereDropped)
+{
+    const auto shows = [this](const std::vector<std::string> &arguments, const std::string &text) {
+        const Outcome outcome = view(arguments, {"click \"Camera\"", "see \"" + text + "\""});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+    };
+    shows({"parade", "--count", "2"}, "Click a person");
+    shows({samples_ + "/scenarios/corner.toml"}, "Click a person");
+    // A map is worn by whatever is named beside it, in any order.
+    shows({classes_, "patrician", "--count", "2"}, "0 changes to undo");
+    shows({classes_, "--scene", "parade", "--count", "2"}, "0 changes to undo");
+}
+
+TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
+{
+    write("picture.png", "no picture");
+    write("old.fbx", "Kaydara");
+    const auto said = [this](const std::vector<std::string> &arguments, int code) {
+        const Outcome outcome = view(arguments, {"wait 0.1"});
+        EXPECT_EQ(outcome.code, code) << outcome.err;
+        return outcome.err;
+    };
+    EXPECT_NE(said({path("picture.png")}, 1).find("is a texture, and no character is shown"), std::string::npos);
+    EXPECT_NE(said({path("bow.bvh")}, 1).find("is a motion, and no character is shown"), std::string::npos);
+    EXPECT_NE(said({"--clips", "bow.bvh"}, 2).find("name one as FILE"), std::string::npos);
+    EXPECT_NE(said({path("old.fbx")}, 1).find("claque convert " + path("old.fbx")), std::string::npos);
+    const std::string clips = written::folder() + "WrittenClips.glb";
+    EXPECT_NE(said({clips}, 1).find("--clips " + clips + " adds them"), std::string::npos);
+    EXPECT_NE(said({"citizen", "plaza"}, 2).find("'plaza' is one more"), std::string::npos);
+    EXPECT_NE(said({"citizen", "--scene", "plaza"}, 2).find("'citizen' is one more"), std::string::npos);
+}
+
+TEST_F(ViewCommand, PlaysTheMotionsThatAreNamedOrDropped)
+{
+    write("nod.bvh",
+          "HIERARCHY\nROOT Hips\n{\n  OFFSET 0 0 0\n  CHANNELS 6 Xposition Yposition Zposition Zrotation "
+          "Xrotation Yrotation\n  End Site\n  {\n    OFFSET 0 1 0\n  }\n}\nMOTION\nFrames: 3\nFrame Time: "
+          "0.5\n0 0 0 0 0 0\n0 0 0 0 40 0\n0 0 0 0 0 0\n");
+    write("nod.toml", "[joints]\nHips = \"spine\"\n");
+    const std::vector<std::string> sees = {"click person 1", "see \"nod at\"", "click \"Character\"",
+                                           "click \"clip: nod\""};
+    Outcome outcome = view({path("nod.bvh"), "citizen", "--map", path("nod.toml"), "--count", "1"}, sees);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    std::vector<std::string> dropped = {drop(path("nod.bvh")), "see \"nod.bvh is shown\""};
+    dropped.insert(dropped.end(), sees.begin(), sees.end());
+    outcome = view({"citizen", "--map", path("nod.toml"), "--count", "1"}, dropped);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(ViewCommand, StaysWithWhatItShowedWhereAFileCannotBeShown)

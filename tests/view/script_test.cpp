@@ -99,6 +99,26 @@ TEST_F(Scripts, PlayAClipOfThePickedPerson)
     view::Session &s = open({});
     play({"click person 2", "click \"Character\"", "click \"clip: cheer\"", "wait 1", "see \"cheer at\""});
     EXPECT_EQ(s.model().message, "");
+    EXPECT_TRUE(s.ui().find("clip: cheer")->chosen);
+    EXPECT_FALSE(s.ui().find("clip: stand")->chosen);
+}
+
+// Frames of half a second: what the panel says is about the picture that was made, not about the one to come.
+TEST_F(Scripts, SeeHowOldAPoseIsInThePictureThatIsShown)
+{
+    view::Session &s = open({"parade", 2});
+    play({"click person 1", "key F"});
+    view::Script slow = view::read_script("frames_per_s = 2\nsteps = ['wait 5']", "test");
+    int seen_ages = 0;
+    play(std::move(slow), [&](const view::Input &) {
+        for (const view::Widget &text : s.ui().texts()) {
+            const size_t at = text.name.find(" s, ");
+            if (at == std::string::npos || text.name.find(" ms old") == std::string::npos) continue;
+            EXPECT_LE(std::stoi(text.name.substr(at + 4)), 20) << text.name;  // 50 poses a second
+            ++seen_ages;
+        }
+    });
+    EXPECT_GE(seen_ages, 10);
 }
 
 }  // namespace

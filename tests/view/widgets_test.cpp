@@ -215,6 +215,36 @@ TEST_F(Widgets, AreNeitherCutNorOverlapAtAnySize)
     }
 }
 
+TEST(Words, AreBrokenAtSpacesSoThatNumbersStayWhole)
+{
+    EXPECT_EQ(view::in_lines("walk at 0.30 s, stand at 0.48 s", 28), "walk at 0.30 s, stand at\n0.48 s");
+    EXPECT_EQ(view::in_lines("walk at 0.30 s", 14), "walk at 0.30 s");
+    EXPECT_EQ(view::in_lines("walk at 0.30 s", 13), "walk at 0.30\ns");
+    EXPECT_EQ(view::in_lines("/a/path/without/spaces is long", 10), "/a/path/without/spaces\nis long");
+    EXPECT_EQ(view::in_lines("two\nlines of words", 8), "two\nlines of\nwords");
+    EXPECT_EQ(view::in_lines("", 1), "");
+    EXPECT_EQ(view::line_count("", 1), 1u);
+    EXPECT_EQ(view::line_count("two lines", 5), 2u);
+    EXPECT_EQ(view::line_count("/a/path/without/spaces is long", 10), 4u);
+}
+
+// What the mouse and the keys do, and what is said about the last thing that was done, at the least width.
+TEST_F(Widgets, OfTheLowerBarHaveRoomInANarrowWindow)
+{
+    Stage stage;
+    stage.width = 480, stage.height = 400;
+    view::Session &s = open(stage);
+    play({"key tab", "wait 0.1", "see \"drag: turn\""});
+    view_test::expect_in_order(s.ui(), "hint: ");
+    const int high = s.world().height();
+    s.model().message = "a word";
+    play({"wait 0.1"});
+    EXPECT_EQ(s.world().height(), high) << "the first message changes the size of the picture";
+    s.model().message = "a sentence of many words that is about the last thing that was done and needs some lines";
+    play({"wait 0.1"});
+    view_test::expect_in_order(s.ui(), "sentence: ");
+}
+
 TEST_F(Widgets, OfJointsMoveThePickedPersonAndLeaveItToItsClip)
 {
     Stage stage;
