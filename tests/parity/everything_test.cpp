@@ -56,17 +56,20 @@ TEST_F(Everything, IsInTheSceneOfThatName)
 {
     const auto some = [](const auto &list, auto condition) { return std::any_of(list.begin(), list.end(), condition); };
     const std::vector<Individual> &all = scene().individuals;
-    EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const Individual &who) { return who.mirrored; }), 3);
-    for (const Individual &who : all) {
-        const float *m = who.model_view.data();  // column after column, whose transpose has the same determinant
-        EXPECT_EQ(mirrors(m), who.mirrored);
+    EXPECT_EQ(std::count_if(all.begin(), all.end(), [](const Individual &individual) { return individual.mirrored; }),
+              3);
+    for (const Individual &individual : all) {
+        const float *m = individual.model_view.data();  // column after column, whose transpose has the same determinant
+        EXPECT_EQ(mirrors(m), individual.mirrored);
         size_t mirroring = 0;
-        for (size_t joint = 0; joint < who.palette_count; ++joint)
-            mirroring += mirrors(&scene().palettes[12 * (who.first_palette + joint)]);
+        for (size_t joint = 0; joint < individual.palette_count; ++joint)
+            mirroring += mirrors(&scene().palettes[12 * (individual.first_palette + joint)]);
         EXPECT_EQ(mirroring, 1u) << "the left arm";
-        EXPECT_EQ(who.weight_count, 2u);
+        EXPECT_EQ(individual.weight_count, 2u);
     }
-    EXPECT_TRUE(some(all, [&](const Individual &who) { return scene().json["meshes"][who.mesh]["texture_set"] == 1; }));
+    EXPECT_TRUE(some(all, [&](const Individual &individual) {
+        return scene().json["meshes"][individual.mesh]["texture_set"] == 1;
+    }));
     EXPECT_TRUE(some(scene().weights, [](float weight) { return weight > 0.1f; }));
     for (const Mesh &mesh : scene().meshes) {
         EXPECT_TRUE(mesh.normals_by_inverse);
@@ -118,14 +121,14 @@ TEST_F(Everything, LeftOutOfSkinningIsCaught)
 TEST_F(Everything, LeftOutOfSurfacesIsCaught)
 {
     expect_broken("zone_ids.", [](SceneIn &changed) {
-        for (Individual &who : changed.individuals) who.mirrored = false;
+        for (Individual &individual : changed.individuals) individual.mirrored = false;
     });
     expect_broken("_ids.", [](SceneIn &changed) {
         for (Material &material : changed.materials) material.double_sided = false;
     });
     expect_broken("colour.worst_zone", each_mesh([](Mesh &mesh) { mesh.colours.clear(); }));
     expect_broken("zone_ids.worst_zone", [](SceneIn &changed) {
-        for (Individual &who : changed.individuals) who.mesh = 0;
+        for (Individual &individual : changed.individuals) individual.mesh = 0;
     });
 }
 

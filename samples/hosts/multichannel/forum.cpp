@@ -38,8 +38,8 @@ void Forum::pave()
     constexpr int half = 40;
     constexpr float tile_m = 2;
     const auto corner = [&](int x, int z) {
-        const uint64_t who = static_cast<uint64_t>((x + half) * 1000 + z + half);
-        const float tone = static_cast<float>(random_between(forum_seed, who, Purpose::tone, 0.90, 1.0));
+        const uint64_t tile = static_cast<uint64_t>((x + half) * 1000 + z + half);
+        const float tone = static_cast<float>(random_between(forum_seed, tile, Purpose::tone, 0.90, 1.0));
         return ground_.add({tile_m * static_cast<float>(x), 0, tile_m * static_cast<float>(z)}, {0, 1, 0},
                            tile_m * static_cast<float>(x) / flagstone_metres,
                            tile_m * static_cast<float>(z) / flagstone_metres, Rgb{0.93f, 0.89f, 0.80f} * tone);

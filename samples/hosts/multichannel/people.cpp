@@ -38,19 +38,19 @@ People::People(Library &library)
 
 size_t People::enter(const clq_transform &place, const char *clip)
 {
-    const uint64_t who = actors_.size();
+    const uint64_t person = actors_.size();
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = templates_[random_bits(people_seed, who, Purpose::group_size) % templates_.size()];
+    def.tmpl = templates_[random_bits(people_seed, person, Purpose::group_size) % templates_.size()];
     def.transform = place;
-    def.seed = who;
+    def.seed = person;
     def.play.clip = clq_template_find_clip(def.tmpl, clip);
-    def.play.phase_s = static_cast<float>(random_between(people_seed, who, Purpose::phase, 0, 6));
+    def.play.phase_s = static_cast<float>(random_between(people_seed, person, Purpose::phase, 0, 6));
     clq_actor actor = {};
     check(clq_actor_create(crowd_.get(), &def, &actor));
     check(clq_actor_randomise_colours(crowd_.get(), actor, nullptr, 0));
     actors_.push_back(actor);
     places_.push_back(place);
-    return who;
+    return person;
 }
 
 // Facing the eye, or nearly.
@@ -62,14 +62,14 @@ void People::stand_rows()
         const double radius = first_m + row * step_m;
         const int seats = static_cast<int>(1.32 * pi * radius / 1.25);
         for (int i = 0; i < seats; ++i) {
-            const uint64_t who = actors_.size();
+            const uint64_t person = actors_.size();
             const double turn = (-0.66 + 1.32 * (i + 0.5 * (row % 2)) / seats) * pi +
-                                random_between(people_seed, who, Purpose::place_x, -0.2, 0.2) / radius;
-            const double set_camera = turn + random_between(people_seed, who, Purpose::heading, -0.35, 0.35);
-            enter(
-                at(radius + random_between(people_seed, who, Purpose::place_z, -0.2, 0.2), turn, -std::sin(set_camera),
-                   std::cos(set_camera), random_between(people_seed, who, Purpose::size, 0.94, 1.06)),
-                clips[random_bits(people_seed, who, Purpose::clip) % 6]);
+                                random_between(people_seed, person, Purpose::place_x, -0.2, 0.2) / radius;
+            const double set_camera = turn + random_between(people_seed, person, Purpose::heading, -0.35, 0.35);
+            enter(at(radius + random_between(people_seed, person, Purpose::place_z, -0.2, 0.2), turn,
+                     -std::sin(set_camera), std::cos(set_camera),
+                     random_between(people_seed, person, Purpose::size, 0.94, 1.06)),
+                  clips[random_bits(people_seed, person, Purpose::clip) % 6]);
         }
     }
 }
@@ -80,14 +80,14 @@ void People::walk_rings()
     for (int ring = 0; ring < 3; ++ring) {
         const int count = ring < 2 ? 7 : 40;
         for (int i = 0; i < count; ++i) {
-            const size_t who = enter(at(radii_m[ring], 0, 1, 0, 1), "walk");
+            const size_t person = enter(at(radii_m[ring], 0, 1, 0, 1), "walk");
             clq_clip_info walk = clq_clip_info_init();
             const clq_template *tmpl =
-                templates_[random_bits(people_seed, who, Purpose::group_size) % templates_.size()];
+                templates_[random_bits(people_seed, person, Purpose::group_size) % templates_.size()];
             check(clq_template_get_clip(tmpl, clq_template_find_clip(tmpl, "walk"), &walk));
             const double speed = stride_m / static_cast<double>(walk.duration_s);
-            walkers_.push_back({who, radii_m[ring],
-                                2 * pi * (i + random_between(people_seed, who, Purpose::gap, -0.2, 0.2)) / count,
+            walkers_.push_back({person, radii_m[ring],
+                                2 * pi * (i + random_between(people_seed, person, Purpose::gap, -0.2, 0.2)) / count,
                                 ring % 2 == 0 ? speed : -speed});
         }
     }
@@ -97,7 +97,7 @@ void People::place(double time_s)
 {
     for (const Walker &w : walkers_) {
         const double turn = w.start_rad + time_s * w.speed_mps / w.radius_m, way = w.speed_mps < 0 ? -1 : 1;
-        places_[w.who] = at(w.radius_m, turn, way * std::cos(turn), way * std::sin(turn), 1);
+        places_[w.person] = at(w.radius_m, turn, way * std::cos(turn), way * std::sin(turn), 1);
     }
     check(
         clq_crowd_set_transforms(crowd_.get(), actors_.data(), places_.data(), static_cast<uint32_t>(actors_.size())));

@@ -24,7 +24,7 @@ public:
 
 private:
     struct Walker {
-        size_t who;
+        size_t person;
         double radius_m, start_rad, speed_mps;
     };
     void stand_rows();

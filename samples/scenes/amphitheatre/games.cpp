@@ -63,7 +63,8 @@ void Games::add_lit(size_t first, size_t count, std::vector<clq_transform> &out)
     }
 }
 
-void Games::enter(const std::string &character, const clq_transform &place, const char *clip, double speed, size_t who)
+void Games::enter(const std::string &character, const clq_transform &place, const char *clip, double speed,
+                  size_t person)
 {
     clq_template *tmpl = figures_[figures_.find(character)].tmpl;
     clq_play play = clq_play_init();
@@ -72,7 +73,7 @@ void Games::enter(const std::string &character, const clq_transform &place, cons
     check(clq_template_get_clip(tmpl, play.clip, &info), clip);
     play.speed = static_cast<float>(speed);
     play.phase_s =
-        static_cast<float>(random_unit(seed_ + 3, who, Purpose::phase) * static_cast<double>(info.duration_s));
+        static_cast<float>(random_unit(seed_ + 3, person, Purpose::phase) * static_cast<double>(info.duration_s));
     crowd_.enter({tmpl, place, play});
     check(clq_actor_set_priority(crowd_.crowd(), crowd_.actors().back(), looked_at));
 }
@@ -81,12 +82,12 @@ void Games::enter(const std::string &character, const clq_transform &place, cons
 void Games::walkers()
 {
     metres_per_s_ = stride_m / 1.1 * 0.96;
-    for (size_t who = 0; who < walker_count; ++who) {
-        const float scale = static_cast<float>(random_between(seed_, who, Purpose::size, 0.95, 1.02));
-        enter(who < 12       ? "decurion"
-              : who % 3 == 0 ? "citizen"
-                             : "plebeian",
-              walking(plan_, who, 0, metres_per_s_, scale), "walk", 0.96 / static_cast<double>(scale), who);
+    for (size_t person = 0; person < walker_count; ++person) {
+        const float scale = static_cast<float>(random_between(seed_, person, Purpose::size, 0.95, 1.02));
+        enter(person < 12       ? "decurion"
+              : person % 3 == 0 ? "citizen"
+                                : "plebeian",
+              walking(plan_, person, 0, metres_per_s_, scale), "walk", 0.96 / static_cast<double>(scale), person);
     }
 }
 
@@ -107,7 +108,7 @@ void Games::greeters()
 
 void Games::guests()
 {
-    size_t who = 300;
+    size_t person = 300;
     const auto sit = [&](double turn, double aside) {
         const double at = turn + aside / plan_.oval().radius(turn, guest_out_m);
         const Spot spot = plan_.oval().at(at, guest_out_m);
@@ -115,12 +116,12 @@ void Games::guests()
         seat.x = spot.x, seat.z = spot.z, seat.y = box_floor_m + guest_seat_m, seat.step_y = box_floor_m;
         seat.facing_x = -spot.out_x, seat.facing_z = -spot.out_z;
         const char *clips[] = {"sit", "sit_talk", "sit_look", "sit_lean"};
-        const bool woman = random_unit(seed_, who, Purpose::clip) < 0.35;
+        const bool woman = random_unit(seed_, person, Purpose::clip) < 0.35;
         enter(woman ? "patrician" : "decurion",
-              sit_down(seat, random_between(seed_, who, Purpose::heading, -7, 7), 0.97f),
-              clips[random_bits(seed_, who, Purpose::act) % 4], random_between(seed_, who, Purpose::speed, 0.9, 1.1),
-              who);
-        ++who;
+              sit_down(seat, random_between(seed_, person, Purpose::heading, -7, 7), 0.97f),
+              clips[random_bits(seed_, person, Purpose::act) % 4],
+              random_between(seed_, person, Purpose::speed, 0.9, 1.1), person);
+        ++person;
     };
     for (const double aside : guests_south) sit(south, aside);
     for (const double aside : guests_north) sit(north, aside);
@@ -129,9 +130,9 @@ void Games::guests()
 void Games::place(double time_s)
 {
     moved_.clear();
-    for (size_t who = 0; who < walker_count; ++who) {
-        clq_transform &place = crowd_.places()[first_ + who];
-        place = walking(plan_, who, time_s, metres_per_s_, place.scale);
+    for (size_t person = 0; person < walker_count; ++person) {
+        clq_transform &place = crowd_.places()[first_ + person];
+        place = walking(plan_, person, time_s, metres_per_s_, place.scale);
         moved_.push_back(place);
     }
     check(clq_crowd_set_transforms(crowd_.crowd(), crowd_.actors().data() + first_, moved_.data(), walker_count));

@@ -26,7 +26,7 @@ public:
     void draw_shadows(const Gl &gl) const { shadows_.draw(gl); }
 
 private:
-    void enter(const std::string &character, const clq_transform &place, const char *clip, double speed, size_t who);
+    void enter(const std::string &character, const clq_transform &place, const char *clip, double speed, size_t person);
     void walkers();
     void greeters();
     void guests();
