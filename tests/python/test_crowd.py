@@ -38,6 +38,13 @@ def test_views_of_a_templates_memory_cannot_be_written_and_keep_it_alive(context
     numpy.testing.assert_array_equal(positions, before)
 
 
+def test_places_have_three_numbers(crowd, citizen):
+    with pytest.raises(ValueError, match=r"\(1, 2\) has 2 numbers; x, y and z are wanted"):
+        crowd.add(citizen, (1, 2))
+    with pytest.raises(ValueError):
+        crowd.view().look_at((0, 1), (0, 0, 0))
+
+
 def held_arrays(view, index):
     """The arrays of one individual, with the addresses at which the library has them."""
     held = view.arrays(index)

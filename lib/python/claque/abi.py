@@ -67,6 +67,14 @@ class ContextDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("allocator", Allocator), ("log", Log), ("tasks", Tasks)]
 
 
+def point(xyz):
+    """Three numbers as the library takes them; ctypes would take fewer for zeros."""
+    values = tuple(xyz)
+    if len(values) != 3:
+        raise ValueError(f"{values} has {len(values)} numbers; x, y and z are wanted")
+    return (c_double * 3)(*values)
+
+
 class ActorId(Structure):
     _fields_ = [("index1", c_uint32), ("generation", c_uint32)]
 

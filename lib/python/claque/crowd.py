@@ -24,7 +24,7 @@ class Actor:
 
     def set_transform(self, position, heading_rad=0.0, scale=1.0):
         """Sets the transform of its Reference Point, rotated about y."""
-        transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
+        transform = abi.Transform(abi.point(position), _upright(heading_rad), scale)
         abi.call("clq_crowd_set_transforms", self.crowd.handle, byref(self.id), byref(transform), c_uint32(1))
 
     def set_speed(self, speed):
@@ -81,7 +81,7 @@ class Crowd(Owned):
         the template's."""
         definition = abi.ActorDef()
         definition.tmpl = template.handle
-        definition.transform = abi.Transform((c_double * 3)(*position), _upright(heading_rad), scale)
+        definition.transform = abi.Transform(abi.point(position), _upright(heading_rad), scale)
         definition.play = abi.Play(abi.NONE if clip is None else template.clip(clip), start_s, speed, phase_s)
         definition.seed, definition.texture_set = seed, texture_set
         identity = abi.ActorId()
@@ -175,8 +175,8 @@ class View(Owned):
 
     def look_at(self, eye, target, up=(0, 1, 0), fov_y_rad=1.0, aspect=4 / 3, near=0.1, far=1000.0):
         camera = self.camera = abi.Camera()
-        definition = abi.LookAtDef(eye=tuple(eye), target=tuple(target), up=tuple(up), fov_y_rad=fov_y_rad,
-                                   aspect=aspect, z_near=near, z_far=far)
+        definition = abi.LookAtDef(eye=abi.point(eye), target=abi.point(target), up=tuple(abi.point(up)),
+                                   fov_y_rad=fov_y_rad, aspect=aspect, z_near=near, z_far=far)
         abi.call("clq_camera_look_at", byref(definition), byref(camera))
         abi.call("clq_view_set_camera", self.handle, byref(camera))
 

@@ -73,7 +73,7 @@ class Scene(Owned):
             "clq_scene_find_nearest",
             self.handle,
             c_double(time_s),
-            _vector(point),
+            abi.point(point),
             c_double(max_distance),
             _filter(filters),
             _pointer(hits, abi_scene.SceneHit),
@@ -84,10 +84,10 @@ class Scene(Owned):
 
     def within(self, time_s, point, radius, **filters):
         """All hits within a distance, the nearest first."""
-        return self._hits("clq_scene_find_within", time_s, _vector(point), c_double(radius), filters=filters)
+        return self._hits("clq_scene_find_within", time_s, abi.point(point), c_double(radius), filters=filters)
 
     def in_box(self, time_s, low, high, **filters):
-        return self._hits("clq_scene_find_in_box", time_s, _vector(low), _vector(high), filters=filters)
+        return self._hits("clq_scene_find_in_box", time_s, abi.point(low), abi.point(high), filters=filters)
 
     def in_frustum(self, time_s, camera, **filters):
         """camera: an abi.Camera."""
@@ -141,12 +141,8 @@ def _ids(actors):
     return numpy.array(pairs, ID)
 
 
-def _vector(values):
-    return (c_double * 3)(*values)
-
-
 def _ray(origin, direction, max_distance):
-    return abi_scene.Ray(_vector(origin), _vector(direction), max_distance)
+    return abi_scene.Ray(abi.point(origin), abi.point(direction), max_distance)
 
 
 def _filter(filters):

@@ -40,7 +40,7 @@ class Agent:
 
     def place(self, position):
         """Places it for distances and radii; its actor is placed by you."""
-        abi.call("clq_stage_set_place", self.stage.handle, self.id, (c_double * 3)(*position))
+        abi.call("clq_stage_set_place", self.stage.handle, self.id, abi.point(position))
 
     def remove(self):
         abi.call("clq_stage_remove_agent", self.stage.handle, self.id)
@@ -94,7 +94,7 @@ class Stage(Owned):
             seed=seed,
             scale=1.0,
             agent_class=agent_class.encode(),
-            position=(c_double * 3)(*position),
+            position=abi.point(position),
             start_s=start_s,
         )
         out = abi_stage.Id()
@@ -109,7 +109,7 @@ class Stage(Owned):
             value=value,
             radius_m=radius_m,
             delay_s_per_m=delay_s_per_m,
-            position=(c_double * 3)(*position),
+            position=abi.point(position),
             to_class=to_class.encode() if to_class else None,
         )
         if to:
