@@ -27,7 +27,8 @@ size_t check_file_header(const FileForm &form, const uint8_t *bytes, size_t size
     if (version != form.version)
         fail(CLQ_FORMAT, "%s of version %u: this library reads version %u", form.subject, version, form.version);
     if (zero != 0 || contents != size - file_header_bytes)
-        fail(CLQ_FORMAT, "%s of %llu bytes is %zu bytes long", form.subject, big(contents), size - file_header_bytes);
+        fail(CLQ_FORMAT, "%s is %zu bytes long, but its header says %llu", form.subject, size - file_header_bytes,
+             big(contents));
     if (hash != fnv(fnv_start, bytes + file_header_bytes, size - file_header_bytes))
         fail(CLQ_FORMAT, "%s has been changed since it was saved: its hash differs", form.subject);
     return size - file_header_bytes;

@@ -164,7 +164,7 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
             throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
         const std::vector<const char *> names = pointers(hidden);
         const clq_asset_options options = options_of(names, clips);
-        check(clq_asset_load_file(library.context(), path.c_str(), &options, &made), path);
+        check(clq_asset_load_file(library.context(), path.c_str(), &options, &made));
     }
     scenes::Own<clq_asset> asset(made);
     const uint32_t first = add_clips(library, made, clips);

@@ -37,7 +37,7 @@ void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
     }
     clq_trajectories *made = nullptr;
     const clq_trajectories_def def = reading_of(tracks);
-    scenes::check(clq_trajectories_load(library.context(), tracks.file.c_str(), &def, &made), tracks.file);
+    scenes::check(clq_trajectories_load(library.context(), tracks.file.c_str(), &def, &made));
     clq_trajectories_info info = clq_trajectories_info_init();
     scenes::check(clq_trajectories_get_info(made, &info));
     clq_trajectories_destroy(made);
@@ -164,6 +164,7 @@ void add_play(CLI::App &app, Work &chosen)
                   "View of the people: overview, close, follow:ID over a person's shoulder, or path (with --path)")
         ->check(CLI::Validator(check_camera, ""))
         ->type_name("VIEW");
+    c->get_option("--time")->description("Time of a single picture in seconds (default: all of FILE)")->default_str("");
     c->add_option("--record", tracks->record,
                   "Record what is drawn to this file, which `claque play` plays; draws finished frames again")
         ->type_name("FILE.clt");
@@ -173,6 +174,10 @@ void add_play(CLI::App &app, Work &chosen)
     c->callback([a, tracks, c, &chosen] {
         take_camera(*a, *tracks);
         const bool whole = a->frames == "all" || (a->frames.empty() && c->count("--time") == 0);
+        if (whole && a->out != "-" && !is_frame_pattern(a->out))
+            throw CLI::ValidationError("--out",
+                                       "all of FILE is many pictures, which need one place for the frame number, as in "
+                                       "frame-%05d.png; --time draws a single one");
         if (whole) a->frames = "0:1";  // the file says how many
         const bool played = scenes::walkers::is_record(tracks->file);
         if (played) expect_trajectories(*c);

@@ -16,6 +16,31 @@ namespace cli
 namespace
 {
 
+std::vector<const CLI::App *> subcommands_of(const CLI::App &app)
+{
+    return app.get_subcommands([](const CLI::App *one) { return !one->get_name().empty(); });
+}
+
+// What is wrong where a subcommand is wanted and there is none; "" if that is not what is wrong.
+std::string no_subcommand(const CLI::App &app, int argc, char **argv)
+{
+    const CLI::App *at = &app;
+    for (int word = 1;; ++word) {
+        std::string known;
+        const CLI::App *next = nullptr;
+        for (const CLI::App *one : subcommands_of(*at)) {
+            known += (known.empty() ? "" : ", ") + one->get_name();
+            if (word < argc && one->get_name() == argv[word]) next = one;
+        }
+        if (known.empty() || (!next && word < argc && argv[word][0] == '-')) return "";
+        if (!next)
+            return (word < argc ? "'" + std::string(argv[word]) + "' is no subcommand of " + at->get_name()
+                                : at->get_name() + " needs a subcommand") +
+                   "; there are: " + known;
+        at = next;
+    }
+}
+
 int parse(CLI::App &app, int argc, char **argv)
 {
     try {
@@ -25,7 +50,9 @@ int parse(CLI::App &app, int argc, char **argv)
         app.exit(help);
         return -1;
     } catch (const CLI::ParseError &error) {
-        app.exit(error, std::cerr, std::cerr);
+        const std::string none = no_subcommand(app, argc, argv);
+        if (none.empty()) app.exit(error, std::cerr, std::cerr);
+        else std::cerr << none << "\nRun with --help for more information.\n";
         return 2;
     }
 }

@@ -1,6 +1,8 @@
 // claque render: its options, and those that it shares with other commands that draw.
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <set>
 #include <unistd.h>
 
 #include "samples/cli/command.h"
@@ -11,6 +13,19 @@
 
 namespace cli
 {
+
+namespace
+{
+
+bool ends_like_another_format(const std::string &path)
+{
+    const std::string ending = std::filesystem::path(path).extension().string();
+    static const std::set<std::string> others = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ppm",
+                                                 ".svg", ".mp4",  ".mkv", ".mov", ".avi", ".webm", ".pdf"};
+    return others.count(ending) != 0;
+}
+
+}  // namespace
 
 void check_picture_usage(RenderArguments &a)
 {
@@ -42,6 +57,10 @@ void check_picture_usage(RenderArguments &a)
                                        "a sequence needs one place for the frame number, as in frame-%05d.png");
     } else if (a.out != "-" && a.out.find('%') != std::string::npos)
         throw CLI::ValidationError("--out", "a place for the frame number needs --frames");
+    if (ends_like_another_format(a.out))
+        throw CLI::ValidationError("--out", "'" + a.out +
+                                                "' would hold a PNG picture, so its name must end in .png; - sends "
+                                                "raw frames to an encoder such as ffmpeg");
     if (!std::isfinite(a.time_s)) throw CLI::ValidationError("--time", "must be finite");
     if (!(a.fps > 0 && a.fps <= 1e6)) throw CLI::ValidationError("--fps", "must be above 0");
     if (a.out == "-" && a.json == "-")

@@ -52,7 +52,7 @@ void take_times(const ViewWhat &what, scenes::Library &library, view::Opened &op
     }
     clq_trajectories *made = nullptr;
     const clq_trajectories_def def = reading_of(what.tracks);
-    scenes::check(clq_trajectories_load(library.context(), what.tracks.file.c_str(), &def, &made), what.tracks.file);
+    scenes::check(clq_trajectories_load(library.context(), what.tracks.file.c_str(), &def, &made));
     const scenes::walkers::OwnTrajectories trajectories(made);
     clq_trajectories_info info = clq_trajectories_info_init();
     scenes::check(clq_trajectories_get_info(made, &info));

@@ -4,7 +4,8 @@
 Pages (*.md): the first line says what the page is for; every path, link and make target exists; every clq_ and CLQ_
 name is declared in include/claque, every other name in code type occurs in the sources; README.md has at most 10 kB.
 Every `claque SUBCOMMAND --option` is one that the command CLAQUE lists in its help; without CLAQUE, one that
-samples/cli has. Comments of sources: every file that they name exists. Header comments: every clq_ name is declared.
+samples/cli has. Refusals: so is every option in brackets. Comments of sources: every file that they name exists. Header
+comments: every clq_ name is declared.
 """
 import pathlib
 import re
@@ -197,6 +198,14 @@ def comment_faults(tree, path, text):
             yield f"no file {name}"
 
 
+def sentence_faults(tree, path, text):
+    """What is wrong with the options that refusals of trajectories name in brackets: `claque play` has to have them."""
+    if path.startswith("lib/asset/trajectories/") and path.endswith(".cpp"):
+        for option in re.findall(r"\((--[a-z][a-z-]+)", text):
+            if option not in (tree.options(["play"]) or ()):
+                yield f"'claque play' has no option {option}"
+
+
 def prove(tree):
     """Each kind of fault is found where it is put in."""
     page = "docs/guide.md"
@@ -223,6 +232,8 @@ def prove(tree):
     for text in ("// see nothing.cpp\n", "// see base::qwertzuiop\n", "/* qwertzuiop() */", "// `qwertzuiop`\n"):
         if not list(comment_faults(tree, "lib/base/error.h", text)):
             yield f"docs.py does not see that the comment {text!r} names nothing"
+    if not list(sentence_faults(tree, "lib/asset/trajectories/vsp.cpp", "give format (--qwertzuiop)")):
+        yield "docs.py does not see that a refusal names an option that is not there"
     if list(
         page_faults(tree, page, "This page is one.\n`lib/frame`, `claque/crowd.h`, `make run`, clq_crowd_def.seed\n")
     ):
@@ -235,7 +246,8 @@ def main():
     for page, text in tree.pages.items():
         faults += [f"{page}: {fault}" for fault in page_faults(tree, page, text)]
     for path, text in tree.sources.items():
-        faults += [f"{path}: {fault}" for fault in comment_faults(tree, path, text)]
+        found = [*comment_faults(tree, path, text), *sentence_faults(tree, path, text)]
+        faults += [f"{path}: {fault}" for fault in found]
     print("\n".join(dict.fromkeys(faults)) or f"{len(tree.pages)} pages and {len(tree.sources)} sources")
     return 1 if faults else 0
 

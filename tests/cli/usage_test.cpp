@@ -25,6 +25,27 @@ TEST_F(Usage, HelpIsThereForEveryCommandAndCostsNothing)
     EXPECT_EQ(claque({"--version"}).out.substr(0, 7), "claque ");
 }
 
+TEST_F(Usage, WhatIsWrongIsNamedWithTheWayOut)
+{
+    const struct {
+        std::vector<std::string> arguments;
+        std::string says;
+    } cases[] = {
+        {{}, "claque needs a subcommand; there are: render, sheet, "},
+        {{"paint"}, "'paint' is no subcommand of claque; there are: render, sheet, "},
+        {{"parity", "paint"}, "'paint' is no subcommand of parity; there are: export, capture, compare\n"},
+        {{"render", "--out", path("x.jpg")}, "'" + path("x.jpg") + "' would hold a PNG picture"},
+        {{"play", "people.csv", "--out", path("x.png")}, "--time draws a single one"},
+    };
+    for (const auto &c : cases) {
+        const Outcome outcome = claque(c.arguments);
+        EXPECT_EQ(outcome.code, 2) << outcome.err;
+        EXPECT_NE(outcome.err.find(c.says), std::string::npos) << outcome.err;
+    }
+    EXPECT_EQ(claque({"inspect", path("none.glb")}).err,
+              "claque: clq_asset_load_file: '" + path("none.glb") + "' cannot be opened: No such file or directory.\n");
+}
+
 TEST_F(Usage, WrongArgumentsAreCode2)
 {
     const std::string out = path("x.png");

@@ -139,13 +139,12 @@ void read_vsp(const TrajectoryInput &input, const TrajectoryOptions &options, Re
         const std::optional<std::string> text = input.beside ? input.beside() : std::nullopt;
         if (!text)
             fail(CLQ_ARGUMENT,
-                 "the file has pixels: put H.txt beside it, or give picture_to_metres (--homography) or "
+                 "the file has pixels: put H.txt beside it, or give picture_to_metres or "
                  "metres_per_unit (--unit)");
         matrix = matrix_of(*text);
     }
     if (matrix && scale)
-        fail(CLQ_ARGUMENT,
-             "both picture_to_metres (--homography) and metres_per_unit (--unit) are given: one is wanted");
+        fail(CLQ_ARGUMENT, "both picture_to_metres and metres_per_unit (--unit) are given: one is wanted");
     Lines lines(input.text());
     reading.frames = true;
     reading.rate_hz = film_rate_hz;

@@ -25,8 +25,8 @@ class TriangleBlock
 public:
     // 1 to 4 triangles; coordinates are relative to `origin`, times `scale`.
     TriangleBlock(const PrecomputedTriangle *triangles, size_t count, glm::dvec3 origin, double scale);
-    // Returns the squared distances of `p`. `rounding`: the largest error that a coordinate may have. No distance is too
-    // large by more than that. Lanes without a triangle repeat the last one.
+    // Returns the squared distances of `p`. `rounding`: the largest error that a coordinate may have; no distance is
+    // too large by more than that. Lanes without a triangle repeat the last one.
     math::F4 distances_squared(const std::array<math::F4, 3> &p, math::F4 rounding) const;
 
 private:

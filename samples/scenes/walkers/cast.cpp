@@ -94,7 +94,7 @@ void take_template(Library &library, Member &member, Lod lod)
         return;
     }
     clq_asset *asset = nullptr;
-    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset), character);
+    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset));
     const Own<clq_asset> held(asset);
     clq_template *made = nullptr;
     check(clq_asset_build(library.context(), asset, 0, &made), character);

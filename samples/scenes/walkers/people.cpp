@@ -67,7 +67,7 @@ OwnTrajectories load(Library &library, const Options &options)
     clq_trajectories_def def = options.reading;
     def.columns = options.columns.empty() ? nullptr : options.columns.c_str();
     clq_trajectories *made = nullptr;
-    check(clq_trajectories_load(library.context(), options.file.c_str(), &def, &made), options.file);
+    check(clq_trajectories_load(library.context(), options.file.c_str(), &def, &made));
     OwnTrajectories out(made);
     clq_trajectories_info info = clq_trajectories_info_init();
     check(clq_trajectories_get_info(made, &info));

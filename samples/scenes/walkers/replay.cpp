@@ -46,7 +46,7 @@ private:
     static Own<clq_template> cast_file(Library &library, const std::string &file)
     {
         clq_asset *asset = nullptr;
-        check(clq_asset_load_file(library.context(), file.c_str(), nullptr, &asset), file);
+        check(clq_asset_load_file(library.context(), file.c_str(), nullptr, &asset));
         const Own<clq_asset> loaded(asset);
         clq_template *made = nullptr;
         check(clq_asset_build(library.context(), asset, 0, &made), file);

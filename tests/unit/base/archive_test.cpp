@@ -130,7 +130,7 @@ TEST(Archive, RefusalsNameTheSubjectAndTheNumbers)
     EXPECT_EQ(refusal(bytes), "a saved test of version 9: this library reads version 7");
     bytes = whole;
     bytes.push_back(0);
-    EXPECT_EQ(refusal(bytes), "a saved test of 19 bytes is 20 bytes long");
+    EXPECT_EQ(refusal(bytes), "a saved test is 20 bytes long, but its header says 19");
     EXPECT_EQ(refusal(forged(bytes)), "a saved test has 1 bytes too many");
     bytes = whole;
     bytes[file_header_bytes + 14] = 2;

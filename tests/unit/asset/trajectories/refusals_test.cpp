@@ -25,9 +25,9 @@ TEST(TrajectoryRefusals, WhatTheFileDoesNotSayIsAskedForByMemberAndOption)
     expect_refused("1 5 0 0 0 0 0 0\n2 6 0 0 0 0 0 0\n", CLQ_ARGUMENT, "give rate_hz (--rate)");
     expect_refused("{\"track\": {\"f\": 1, \"p\": 1, \"x\": 0, \"y\": 1}}\n", CLQ_ARGUMENT, "give rate_hz (--rate)");
     expect_refused("1 - the number of splines\n1\n0 0 0 0\n", CLQ_ARGUMENT,
-                   "put H.txt beside it, or give picture_to_metres (--homography) or metres_per_unit (--unit)");
+                   "put H.txt beside it, or give picture_to_metres or metres_per_unit (--unit)");
     expect_refused("name,speed\na,3\n", CLQ_ARGUMENT,
-                   "give format (--format), or for a table its columns (--columns id,frame,x,y); the first row is "
+                   "give format, or for a table its columns (--columns id,frame,x,y); the first row is "
                    "'name,speed'");
 }
 
