@@ -22,8 +22,12 @@ public:
     {
         town::Walkable found = town::walkable_square(town_, streets_m_);
         out.vertices = std::move(found.vertices), out.triangles = std::move(found.triangles);
-        for (town::Walkable::Obstacle &one : found.obstacles)
+        for (town::Walkable::Prism &one : found.obstacles)
             out.obstacles.push_back({std::move(one.outline), one.low_m, one.high_m});
+        // Booths of one group are far from each other: the way out of one never leads through another.
+        uint32_t number = 0;
+        for (town::Walkable::Prism &one : found.booths)
+            out.byways.push_back({std::move(one.outline), one.low_m, one.high_m, number++ % 8});
     }
 
     // close: among the stalls. overview: over the square from the south.

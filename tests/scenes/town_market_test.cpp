@@ -18,7 +18,7 @@ struct Market {
     Market() : town(1, Trade::market_day), walkable(walkable_square(town, 30))
     {
         std::vector<clq_prism> holes;
-        for (const Walkable::Obstacle &one : walkable.obstacles)
+        for (const Walkable::Prism &one : walkable.obstacles)
             holes.push_back({static_cast<uint32_t>(one.outline.size() / 2), one.outline.data(), one.low_m, one.high_m});
         clq_navigation_def def = clq_navigation_def_init();
         def.vertex_count = static_cast<uint32_t>(walkable.vertices.size() / 3);
@@ -120,7 +120,7 @@ TEST(TownMarket, LeadsThroughNothingThatStandsThere)
                     const Point p = {way[i - 1].x + share * (way[i].x - way[i - 1].x),
                                      way[i - 1].z + share * (way[i].z - way[i - 1].z)};
                     ++points;
-                    for (const Walkable::Obstacle &one : the_market().walkable.obstacles)
+                    for (const Walkable::Prism &one : the_market().walkable.obstacles)
                         ASSERT_FALSE(is_within(one.outline, p)) << p.x << ", " << p.z;
                 }
         }

@@ -30,9 +30,9 @@ const town::Walkable &the_square()
     return found;
 }
 
-bool is_in_something(const Point3 &at)
+bool is_in_one(const std::vector<town::Walkable::Prism> &prisms, const Point3 &at)
 {
-    const auto holds = [&](const town::Walkable::Obstacle &one) {
+    const auto holds = [&](const town::Walkable::Prism &one) {
         bool left = false, right = false;
         const size_t count = one.outline.size() / 2;
         for (size_t i = 0; i < count; ++i) {
@@ -44,7 +44,7 @@ bool is_in_something(const Point3 &at)
         }
         return !(left && right);
     };
-    return std::any_of(the_square().obstacles.begin(), the_square().obstacles.end(), holds);
+    return std::any_of(prisms.begin(), prisms.end(), holds);
 }
 
 std::string state_of(staged::Run &run, uint32_t person)
@@ -67,14 +67,16 @@ TEST(Market, PeopleGoThroughNoPersonAndNoThing)
     World world(market(60, 20, 50), 1, false);
     const auto count = static_cast<uint32_t>(world.run().people().all().size());
     double nearest_m = HUGE_VAL, walked_m = 0;
-    size_t in_something = 0, touching = 0, samples = 0;
+    size_t in_something = 0, in_booths = 0, at_posts = 0, touching = 0, samples = 0;
     std::vector<Point3> before;
     for (double time_s = 0; time_s <= 60; time_s += 0.2) {
         world.scene->place(time_s);
         std::vector<Point3> here;
         for (uint32_t i = 0; i < count; ++i) {
             here.push_back(world.run().place_of(i));
-            in_something += is_in_something(here.back());
+            in_something += is_in_one(the_square().obstacles, here.back());
+            const bool sells = world.run().agents_of(i).name == "sellers";
+            if (time_s > 30) (sells ? at_posts : in_booths) += is_in_one(the_square().booths, here.back());
             for (uint32_t k = 0; k < i; ++k) {
                 const double apart_m = std::hypot(here[i][0] - here[k][0], here[i][2] - here[k][2]);
                 nearest_m = std::min(nearest_m, apart_m);
@@ -85,9 +87,14 @@ TEST(Market, PeopleGoThroughNoPersonAndNoThing)
         }
         before = here;
     }
-    std::printf("market: the nearest two are %.3f m apart, %zu of %zu times nearer than 0.3 m; %.1f m walked by each\n",
-                nearest_m, touching, samples, walked_m / count);
+    std::printf(
+        "market: the nearest two are %.3f m apart, %zu of %zu times nearer than 0.3 m; %.1f m walked by each; %zu "
+        "times "
+        "in a booth\n",
+        nearest_m, touching, samples, walked_m / count, in_booths);
     EXPECT_EQ(in_something, 0u);
+    EXPECT_LT(static_cast<double>(in_booths), 0.003 * static_cast<double>(samples)) << "but for some who fled there";
+    EXPECT_GT(at_posts, 24u * 140) << "those who sell stand in them";
     EXPECT_GT(nearest_m, 0.25);
     EXPECT_LT(static_cast<double>(touching), 0.0005 * static_cast<double>(samples));
     EXPECT_GT(walked_m / count, 12);

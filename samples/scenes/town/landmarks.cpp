@@ -144,6 +144,13 @@ std::vector<Footprint> landmark_footprints(const Plan &plan, Trade trade)
     return all;
 }
 
+std::vector<Footprint> stall_booths(const Plan &plan, Trade trade)
+{
+    std::vector<Footprint> all;
+    for (const Site &stall : stall_sites(plan, trade)) all.push_back({stall, -1.6, 1.6, -1.05, 0.15});
+    return all;
+}
+
 void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed,
                      Trade trade)
 {

@@ -29,6 +29,9 @@ struct Footprint {
 // Of everything that build_landmarks builds on the square.
 std::vector<Footprint> landmark_footprints(const Plan &plan, Trade trade);
 
+// Of what lies behind the table of each stall, between its posts: people can walk there, but sellers alone do.
+std::vector<Footprint> stall_booths(const Plan &plan, Trade trade);
+
 void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, Point at);
 void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
                  uint64_t who);

@@ -10,7 +10,7 @@ namespace scenes::town
 namespace
 {
 
-constexpr double below_m = 3, above_m = 12;  // of obstacles, below and above the ground
+constexpr double below_m = 3, above_m = 12;  // of prisms, below and above the ground
 constexpr double trunk_m = 0.35, fountain_m = 3.95;
 
 class Finder
@@ -25,6 +25,7 @@ public:
             for (size_t column = 0; column < terrain.columns(); ++column)
                 if (is_open(column, row)) add_cell(2 * (row * terrain.columns() + column));
         for (const Footprint &one : landmark_footprints(town_.plan(), town_.trade())) add(one);
+        for (const Footprint &one : stall_booths(town_.plan(), town_.trade())) out_.booths.push_back(over(one));
         const SquarePlan plan = square_plan(town_.plan());
         add_round(town_.plan().at(plan.fountain_u, plan.fountain_v), fountain_m, 12);
         for (const House &house : town_.houses()) {
@@ -65,13 +66,15 @@ private:
         return std::hypot(at.x - middle.x, at.z - middle.z) < reach;
     }
 
-    void add(const Footprint &one)
+    void add(const Footprint &one) { out_.obstacles.push_back(over(one)); }
+
+    Walkable::Prism over(const Footprint &one) const
     {
         std::vector<Point> corners;
         for (const auto &[along, out] : {std::pair{one.along0, one.out0}, std::pair{one.along1, one.out0},
                                          std::pair{one.along1, one.out1}, std::pair{one.along0, one.out1}})
             corners.push_back(one.site.ground(along, out));
-        add(corners);
+        return over(corners);
     }
 
     void add_round(Point middle, double radius, int sides)
@@ -81,18 +84,18 @@ private:
             const double angle = two_pi * k / sides;
             corners.push_back({middle.x + radius * std::cos(angle), middle.z + radius * std::sin(angle)});
         }
-        add(corners);
+        out_.obstacles.push_back(over(corners));
     }
 
-    void add(const std::vector<Point> &corners)
+    Walkable::Prism over(const std::vector<Point> &corners) const
     {
-        Walkable::Obstacle made{{}, 1e9, -1e9};
+        Walkable::Prism made{{}, 1e9, -1e9};
         for (const Point &p : corners) {
             made.outline.insert(made.outline.end(), {p.x, p.z});
             made.low_m = std::min(made.low_m, town_.height(p.x, p.z) - below_m);
             made.high_m = std::max(made.high_m, town_.height(p.x, p.z) + above_m);
         }
-        out_.obstacles.push_back(std::move(made));
+        return made;
     }
 
     const Town &town_;
