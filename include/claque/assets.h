@@ -142,6 +142,22 @@ CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warni
 CLQ_API clq_status clq_asset_add_texture_set(clq_context *context, clq_asset *asset, const char *name,
                                              const clq_image_def *images, uint32_t image_count);
 
+/* A degree of freedom for a node that is found by its name. */
+typedef struct clq_asset_dof {
+    const char *node_name; /* the first node of this name */
+    clq_dof_def dof;       /* without its node: that member is not read */
+} clq_asset_dof;
+
+CLQ_DEFINE_PLAIN_INIT(clq_asset_dof)
+
+/* Adds degrees of freedom to an asset, behind those that it has. Control mechanisms may then move characters whose
+ * files have none, such as the built-in people: a gaze turns the head of any character with a neck.
+ *   dofs   [dof_count], copied
+ * Fails: ARGUMENT (names a node that is missing, and degrees of freedom that break the rules of clq_dof_def),
+ * OUT_OF_MEMORY; the asset then stays. Threads: one per asset. GL: none. */
+CLQ_API clq_status clq_asset_add_dofs(clq_context *context, clq_asset *asset, const clq_asset_dof *dofs,
+                                      uint32_t dof_count);
+
 /* Computes the animated positions of all parts, in model space, in file order: nodes depth first, primitives in order.
  *   clip              CLQ_NONE: the rest pose with default morph weights
  *   time_s            on the clip's own key axis, clamped to it

@@ -25,6 +25,8 @@ typedef struct clq_prepare_def {
      * NULL: $XDG_CACHE_HOME/claque, else $HOME/.cache/claque, else none. "": no folder. Without a folder the template
      * is made anew. */
     const char *folder;
+    const clq_asset_dof *dofs; /* [dof_count] added as by clq_asset_add_dofs, before levels are made */
+    uint32_t dof_count;
 } clq_prepare_def;
 
 CLQ_DEFINE_ZERO_INIT(clq_prepare_def)
@@ -43,8 +45,8 @@ CLQ_DEFINE_ZERO_INIT(clq_prepare_report)
  * the template comes from disk.
  *   out          owned by the host until clq_template_destroy
  *   out_report   made by clq_prepare_report_init; may be NULL
- * Fails: STRUCT_SIZE, ARGUMENT, and as clq_asset_load_file, clq_asset_builtin_varied, clq_asset_make_levels and
- * clq_asset_build. Threads: any. GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT, and as clq_asset_load_file, clq_asset_builtin_varied, clq_asset_add_dofs,
+ * clq_asset_make_levels and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_prepare(clq_context *context, const clq_prepare_def *def, clq_template **out,
                                         clq_prepare_report *out_report);
 

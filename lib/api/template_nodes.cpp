@@ -2,12 +2,11 @@
 #include <limits>
 
 #include "lib/api/boundary.h"
+#include "lib/api/dof_def.h"
 #include "lib/api/template_parts.h"
 
 namespace claque::api
 {
-
-using base::fail;
 
 namespace
 {
@@ -17,13 +16,6 @@ bool all_zero(const float *values, int count)
     for (int i = 0; i < count; ++i)
         if (values[i] != 0) return false;
     return true;
-}
-
-uint32_t morph_set_of(const model::Rig &rig, uint32_t node, uint32_t dof)
-{
-    for (uint32_t i = 0; i < rig.morph_sets.size(); ++i)
-        if (rig.morph_sets[i].node == node) return i;
-    fail(CLQ_ARGUMENT, "degree of freedom %u is of a morph target of node %u, which has no morphed part", dof, node);
 }
 
 }  // namespace
@@ -64,15 +56,7 @@ void add_dofs(const clq_template_def &def, model::Model &model)
     require_array(def.dofs, def.dof_count, "degrees of freedom");
     for (uint32_t i = 0; i < def.dof_count; ++i) {
         const clq_dof_def &dof = def.dofs[i];
-        if (number_of(dof.kind) > 2)
-            fail(CLQ_ARGUMENT, "degree of freedom %u '%s' has an unknown kind", i, name_of(dof.name));
-        model::Dof made;
-        made.kind = static_cast<model::DofKind>(dof.kind);
-        made.node = dof.kind == CLQ_DOF_MORPH ? morph_set_of(model.rig, dof.node, i) : dof.node;
-        made.morph_target = dof.morph_target;
-        if (dof.kind != CLQ_DOF_MORPH) made.axis = glm::vec3(dof.axis[0], dof.axis[1], dof.axis[2]);
-        made.min = dof.min, made.max = dof.max, made.rest = dof.rest;
-        model.rig.dofs.push_back(made);
+        model.rig.dofs.push_back(dof_of(dof, model.rig, dof.node, i));
         model.rig.dof_names.emplace_back(name_of(dof.name));
     }
 }

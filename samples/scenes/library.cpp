@@ -16,6 +16,29 @@ Own<clq_template> prepared(clq_context *context, const clq_prepare_def &def)
     return Own<clq_template>(made);
 }
 
+// A head turns about its own axes: y up, x to the left. Names as roles::faces_of finds them.
+std::vector<clq_asset_dof> dofs_to_look_with()
+{
+    struct Turn {
+        const char *node, *name;
+        bool yaw;
+        float most_rad;
+    };
+    std::vector<clq_asset_dof> dofs;
+    for (const Turn &turn : {Turn{"spine_upper", "spine_yaw", true, 0.25f}, Turn{"neck", "neck_yaw", true, 0.55f},
+                             Turn{"neck", "neck_pitch", false, 0.25f}, Turn{"head", "eyes_yaw", true, 0.6f},
+                             Turn{"head", "eyes_pitch", false, 0.35f}}) {
+        clq_asset_dof dof = clq_asset_dof_init();
+        dof.node_name = turn.node, dof.dof.name = turn.name;
+        // Turned about x, a head that looks up leans back: a negative angle.
+        if (turn.yaw) dof.dof.axis[1] = 1;
+        else dof.dof.axis[0] = -1;
+        dof.dof.min = -turn.most_rad, dof.dof.max = turn.most_rad;
+        dofs.push_back(dof);
+    }
+    return dofs;
+}
+
 int append(void *user, const void *bytes, size_t size)
 {
     static_cast<std::string *>(user)->append(static_cast<const char *>(bytes), size);
@@ -24,11 +47,13 @@ int append(void *user, const void *bytes, size_t size)
 
 }  // namespace
 
-bool is_builtin(const std::string &name)
+bool is_person(const std::string &name)
 {
-    static const char *const names[] = {"citizen", "patrician", "decurion", "plebeian", "herald", "owl"};
+    static const char *const names[] = {"citizen", "patrician", "decurion", "plebeian"};
     return std::find(std::begin(names), std::end(names), name) != std::end(names);
 }
+
+bool is_builtin(const std::string &name) { return is_person(name) || name == "herald" || name == "owl"; }
 
 Library::Library(int threads) : tasks_(threads)
 {
@@ -91,6 +116,17 @@ clq_template *Library::builtin(const std::string &name, const std::vector<uint32
     def.builtin = name.c_str();
     def.levels = &chain;
     return own(key, [&] { return prepared(context(), def); });
+}
+
+clq_template *Library::looking(const std::string &name, bool levels)
+{
+    const std::vector<clq_asset_dof> dofs = dofs_to_look_with();
+    const clq_levels_def chain = clq_levels_def_init();
+    clq_prepare_def def = clq_prepare_def_init();
+    def.builtin = name.c_str();
+    def.dofs = dofs.data(), def.dof_count = static_cast<uint32_t>(dofs.size());
+    if (levels) def.levels = &chain;
+    return own(name + (levels ? " that looks, in levels" : " that looks"), [&] { return prepared(context(), def); });
 }
 
 std::vector<std::string> Library::warnings() const

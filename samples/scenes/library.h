@@ -17,6 +17,7 @@ namespace scenes
 
 // Whether libclaque-assets has a built-in character of this name.
 bool is_builtin(const std::string &name);
+bool is_person(const std::string &name);  // one of its four people
 
 class Library
 {
@@ -30,6 +31,9 @@ public:
     // The same with coarser levels of detail of about these numbers of triangles, descending; empty: claque's usual
     // ones (claque/levels.h).
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
+    // The same with degrees of freedom of neck and head, so that a gaze turns it. `levels`: with claque's usual
+    // levels of detail.
+    clq_template *looking(const std::string &name, bool levels);
     // A character of the caller's own: `make` is called at the first request of the name.
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
     // Makes a template, or takes the one that another process made (share_templates).

@@ -1,8 +1,10 @@
 #include "samples/stage/people.h"
 
 #include <algorithm>
+#include <map>
 
 #include "samples/scenes/random.h"
+#include "samples/scenes/roles/gaze.h"
 
 namespace staged
 {
@@ -29,7 +31,8 @@ walkers::OwnTrack past(const walkers::Member &member)
 People::People(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario, bool walk)
     : crowd_(library, crowd_options)
 {
-    for (const SocialClass &one : scenario.characters) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
+    for (const SocialClass &one : scenario.characters)
+        cast_.push_back(walkers::cast(library, one, crowd_options.lod, walkers::Heads::turn));
     for (const walkers::Member &member : cast_) away_.push_back(past(member));
     const std::vector<ScenarioAgents> &agents = scenario.stage->agents;
     for (size_t i = 0; i < agents.size(); ++i)
@@ -42,6 +45,34 @@ People::People(Library &library, const CrowdOptions &crowd_options, const Scenar
             person.scale = static_cast<float>(cast_[person.member].scale * size);
             enter(person, walk);
         }
+    let_look(library);
+}
+
+// A gaze for each character. It ends where a head is a few pixels high.
+void People::let_look(Library &library)
+{
+    constexpr float heads_stop_m = 45;
+    std::map<const clq_template *, clq_mechanism> gazes;
+    for (Person &person : all_) {
+        clq_template *tmpl = cast_[person.member].tmpl;
+        if (gazes.count(tmpl) == 0) {
+            const roles::Faces faces = roles::faces_of(tmpl);
+            clq_mechanism made = {};
+            if (faces.looks) {
+                clq_mechanism_def def = clq_mechanism_def_init();
+                def.kind = CLQ_MECHANISM_GAZE, def.tmpl = tmpl, def.off_m = heads_stop_m;
+                def.gaze = roles::gaze_of(library, tmpl, faces);
+                def.gaze.wander_s = 0;
+                check(clq_crowd_add_mechanism(crowd_.crowd(), &def, &made));
+            }
+            gazes[tmpl] = made;
+        }
+        person.gaze = gazes[tmpl];
+        if (person.gaze.index1 == 0) continue;
+        clq_mechanism_attachment use = clq_mechanism_attachment_init();
+        use.mechanism = person.gaze;
+        check(clq_actor_attach_mechanism(crowd_.crowd(), person.actor, &use));
+    }
 }
 
 void People::enter(Person &person, bool walk)

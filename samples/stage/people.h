@@ -13,6 +13,7 @@ struct Person {
     clq_actor actor = {};
     uint64_t seed = 0;
     float scale = 1;
+    clq_mechanism gaze = {};  // {0}: its character has nothing to turn
 };
 
 class People
@@ -35,6 +36,7 @@ public:
 
 private:
     void enter(Person &person, bool walk);
+    void let_look(scenes::Library &library);
 
     std::vector<scenes::walkers::Member> cast_;
     scenes::SceneCrowd crowd_;

@@ -163,7 +163,7 @@ void Run::let_in()
 bool Run::let_in(uint32_t person, double due_s)
 {
     const ScenarioAgents &of = agents_of(person);
-    const Person &who = people_.all()[person];
+    const Person &one = people_.all()[person];
     const OnGround on_ground = [&](std::array<double, 3> &point) {
         if (of.from.empty()) point[1] = setting_.height_m(point[0], point[2]);
         if (!navigation_) return true;
@@ -185,16 +185,17 @@ bool Run::let_in(uint32_t person, double due_s)
     Spot spot{};
     bool found = false;
     for (uint32_t i = 0; i < tries && !found; ++i)
-        found = find_spot(described_, of, who.seed, static_cast<uint32_t>(ticks_) * tries_in_a_tick + i, on_ground,
+        found = find_spot(described_, of, one.seed, static_cast<uint32_t>(ticks_) * tries_in_a_tick + i, on_ground,
                           is_free, spot);
     if (!found && at_once) refuse_crowd(of, here_.size());
     if (!found) return false;
     const Machine &machine = machines_.at(of.machine);
     clq_agent_def def = clq_agent_def_init();
-    def.machine = machine.id, def.actor = who.actor, def.tmpl = people_.member(who).tmpl;
-    def.agent_class = of.name.c_str(), def.seed = who.seed, def.scale = who.scale;
+    def.machine = machine.id, def.actor = one.actor, def.tmpl = people_.member(one).tmpl;
+    def.agent_class = of.name.c_str(), def.seed = one.seed, def.scale = one.scale;
     std::copy(spot.position.begin(), spot.position.end(), def.position);
     def.heading_rad = static_cast<float>(spot.heading_rad);
+    def.gaze = one.gaze;
     def.start_s = std::max(due_s, decided_s() + described_.tick_s / 2);
     check(clq_stage_add_agent(stage_.get(), &def, &agents_[person]), of.at);
     person_of_.resize(agents_[person].index1);

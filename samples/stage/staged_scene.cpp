@@ -39,7 +39,7 @@ public:
     }
     clq_crowd *crowd() const override { return run_.crowd(); }
     std::vector<clq_actor> actors() const override { return run_.people().actors(); }
-    std::string class_of(size_t who) const override { return classes_[who]; }
+    std::string class_of(size_t person) const override { return classes_[person]; }
     std::vector<clq_template *> templates() const override { return run_.templates(); }
     clq_camera camera(Shot shot, double aspect, double) const override { return setting_->camera(shot, aspect); }
 

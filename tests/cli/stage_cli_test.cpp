@@ -96,6 +96,38 @@ TEST_F(StageCommand, IsPlayedInItsScenarioAsItWasDrawn)
     EXPECT_NE(not_its.err.find("has no [stage]"), std::string::npos) << not_its.err;
 }
 
+TEST_F(StageCommand, IsPlayedWithWhatFliesOverPeopleThatLook)
+{
+    std::ofstream(path("guest.toml")) << "machine = \"guest\"\n[states.stands]\n"
+                                         "enter = [ { look = [4.0, 1.0, 4.0] } ]\n";
+    std::ofstream(path("owl.toml")) << R"(name = "an owl over three people"
+[stage]
+seconds = 2.0
+[[characters]]
+name = "guests"
+character = "citizen"
+[navigation]
+rectangle = [-6.0, -6.0, 6.0, 6.0]
+[[agents]]
+class = "guests"
+machine = "guest.toml"
+count = 3
+area = [-4.0, -4.0, 4.0, 4.0]
+[[flyers]]
+character = "owl"
+path = [3.0, 2.0, 0.0, -3.0, 2.0, 3.0, -3.0, 2.0, -3.0]
+)";
+    const std::vector<std::string> frame = {"--frames", "25:25", "--size", "240x160"};
+    const auto with_frame = [&](std::vector<std::string> words) {
+        words.insert(words.end(), frame.begin(), frame.end());
+        const Outcome done = claque(words);
+        EXPECT_EQ(done.code, 0) << done.err;
+    };
+    with_frame({"stage", path("owl.toml"), "--record", path("run.clt"), "--out", path("run-%d.png")});
+    with_frame({"play", path("run.clt"), "--scenario", path("owl.toml"), "--out", path("play-%d.png")});
+    EXPECT_EQ(picture_of(path("run-25.png")).rgb, picture_of(path("play-25.png")).rgb);
+}
+
 TEST_F(StageCommand, GoesOnFromAStateAsItWouldHaveGoneOn)
 {
     const Json whole = run({"--save", path("state"), "--at", "20"});

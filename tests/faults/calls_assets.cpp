@@ -119,6 +119,12 @@ void add_asset_changes(std::vector<Call> &all)
                        images[0] = {"other", 8, 8, pixels, CLQ_ALPHA_OPACITY};
                        return clq_asset_add_texture_set(w.test.context, w.person, "other", images, w.materials);
                    }});
+    all.push_back({"clq_asset_add_dofs", [](W w) {
+                       clq_asset_dof dofs[2] = {clq_asset_dof_init(), clq_asset_dof_init()};
+                       for (clq_asset_dof &dof : dofs) dof.node_name = "hips", dof.dof.axis[1] = 1;
+                       dofs[0].dof.name = "a degree of freedom with a long name", dofs[1].dof.name = "another one";
+                       return clq_asset_add_dofs(w.test.context, w.person, dofs, 2);
+                   }});
     all.push_back({"clq_asset_add_clips",
                    [](W w) { return clq_asset_add_clips(w.test.context, w.person, w.walk, nullptr, nullptr); }});
     all.push_back({"clq_asset_add_clips",

@@ -62,7 +62,7 @@ TEST(FlowsOfARun, ARecordPlaysBackToTheSameDrawLists)
     clq_record *made = nullptr;
     check(clq_record_load(library.context(), run.record.data(), run.record.size(), &made));
     const walkers::OwnRecord owned(made);
-    clq_template *templates[] = {library.builtin("citizen"), library.builtin("plebeian")};
+    clq_template *templates[] = {library.looking("citizen", false), library.looking("plebeian", false)};
     check(clq_record_set_templates(made, templates, 2));
     clq_crowd_def def = clq_crowd_def_init();
     check(clq_record_get_crowd_def(made, &def));

@@ -1,7 +1,7 @@
 // Helpers of the calls of libclaque-assets.
 #pragma once
 
-#include <claque/assets.h>
+#include <claque/prepare.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -17,6 +17,12 @@ namespace claque::api
 template <>
 struct EarlierSizes<clq_asset_options> {
     static constexpr uint32_t sizes[] = {offsetof(clq_asset_options, strict)};
+};
+
+// Before `dofs`.
+template <>
+struct EarlierSizes<clq_prepare_def> {
+    static constexpr uint32_t sizes[] = {offsetof(clq_prepare_def, dofs)};
 };
 
 // Fails with the status and the message of another public call.

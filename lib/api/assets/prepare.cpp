@@ -18,6 +18,7 @@ void check(const clq_prepare_def &def)
     api::require((def.builtin != nullptr) != (def.path != nullptr), "either builtin or path is wanted, not both");
     api::require(def.builtin || def.clip_count == 0, "clip_count needs builtin");
     api::require(def.path || !def.options, "options go with path alone");
+    api::require_array(def.dofs, def.dof_count, "degrees of freedom");
 }
 
 void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
@@ -28,6 +29,21 @@ void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
     all.add(double(levels.metres_per_unit));
     all.add(uint64_t(levels.proxy_max_triangles));
     all.add(uint64_t(levels.quadric_only));
+}
+
+void add_dofs(const clq_prepare_def &def, asset::ContentHash &all)
+{
+    all.add(uint64_t(def.dof_count));
+    for (uint32_t i = 0; i < def.dof_count; ++i) {
+        const clq_asset_dof &one = def.dofs[i];
+        const clq_dof_def &dof = one.dof;
+        all.add(std::string(api::name_of(one.node_name)));
+        all.add(std::string(api::name_of(dof.name)));
+        all.add(uint64_t(api::number_of(dof.kind)));
+        all.add(uint64_t(dof.morph_target));
+        for (const float value : {dof.axis[0], dof.axis[1], dof.axis[2], dof.min, dof.max, dof.rest})
+            all.add(double(value));
+    }
 }
 
 asset::ContentHash name_of(const clq_prepare_def &def)
@@ -47,6 +63,7 @@ asset::ContentHash name_of(const clq_prepare_def &def)
     all.add(uint64_t(def.levels != nullptr));
     if (def.levels) add_levels(api::read_def(def.levels, clq_levels_def_init, "clq_levels_def_init"), all);
     all.add(uint64_t(def.max_texture_px));
+    if (def.dof_count) add_dofs(def, all);
     return all;
 }
 
@@ -62,6 +79,7 @@ api::Asset asset_of(clq_context *context, const clq_prepare_def &def)
 api::Template made_anew(clq_context *context, const clq_prepare_def &def)
 {
     const api::Asset asset = asset_of(context, def);
+    if (def.dof_count) api::pass_on(clq_asset_add_dofs(context, asset.get(), def.dofs, def.dof_count));
     if (def.levels) api::pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr));
     clq_template *made = nullptr;
     api::pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));

@@ -200,7 +200,7 @@ class LevelsDef(Sized):
 class PrepareDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("builtin", c_char_p), ("path", c_char_p), ("clip_count", c_uint32),
                 ("options", c_void_p), ("levels", POINTER(LevelsDef)), ("max_texture_px", c_uint32),
-                ("folder", c_char_p)]
+                ("folder", c_char_p), ("dofs", c_void_p), ("dof_count", c_uint32)]
 
 
 class TrajectoriesDef(Sized):

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "samples/scenes/roles/gaze.h"
+
 namespace scenes::roles
 {
 namespace
@@ -30,29 +32,9 @@ std::string name_of(const clq_template *tmpl)
 Kit::Kit(Library &library, clq_crowd *crowd, clq_template *tmpl)
     : library_(library), crowd_(crowd), tmpl_(tmpl), faces_(faces_of(tmpl))
 {
-    if (faces_.looks) find_eyes();
+    if (faces_.looks) faces_.gaze = gaze_of(library, tmpl, faces_);
     member_.tmpl = tmpl;
     member_.described.character = name_of(tmpl);
-}
-
-// The middle of the eyes in the rest pose, found by an actor in a crowd of its own.
-void Kit::find_eyes()
-{
-    clq_crowd *crowd = nullptr;
-    check(clq_crowd_create(library_.context(), nullptr, &crowd));
-    const Own<clq_crowd> held(crowd);
-    clq_actor_def def = clq_actor_def_init();
-    def.tmpl = tmpl_;
-    clq_actor actor = {};
-    check(clq_actor_create(crowd, &def, &actor));
-    double sum[3] = {0, 0, 0};
-    for (const uint32_t node : faces_.eyes) {
-        double m[16];
-        check(clq_actor_get_node(crowd, actor, node, 0, m));
-        for (int k = 0; k < 3; ++k) sum[k] += m[12 + k];
-    }
-    for (int k = 0; k < 3; ++k)
-        faces_.gaze.eyes[k] = static_cast<float>(sum[k] / static_cast<double>(faces_.eyes.size()));
 }
 
 uint32_t Kit::clip(const std::string &name) const

@@ -41,7 +41,6 @@ public:
 private:
     clq_mechanism add(const clq_mechanism_def &def) const;
     clq_mechanism_def def_of(clq_mechanism_kind kind) const;
-    void find_eyes();
 
     Library &library_;
     clq_crowd *crowd_;

@@ -86,11 +86,12 @@ SocialClass class_of(const std::string &character)
     return one;
 }
 
-void take_template(Library &library, Member &member, Lod lod)
+void take_template(Library &library, Member &member, Lod lod, Heads heads)
 {
     const std::string &character = member.described.character;
     if (character.find_first_of("./") == std::string::npos) {
-        member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
+        if (heads == Heads::turn && is_person(character)) member.tmpl = library.looking(character, lod == Lod::on);
+        else member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
         return;
     }
     clq_asset *asset = nullptr;
@@ -131,12 +132,12 @@ OwnLocomotion locomotion_of(Library &library, const Member &member)
     return OwnLocomotion(made);
 }
 
-Member cast(Library &library, const SocialClass &described, Lod lod)
+Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads)
 {
     Member member;
     member.described = described;
     asked_at(described.at, [&] {
-        take_template(library, member, lod);
+        take_template(library, member, lod, heads);
         clq_template_info info = clq_template_info_init();
         check(clq_template_get_info(member.tmpl, &info));
         if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);

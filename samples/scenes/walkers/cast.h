@@ -33,8 +33,11 @@ uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &wor
 // A class of its own for a character.
 SocialClass class_of(const std::string &character);
 
+// Whether a built-in person can turn its head to what it looks at. A character of a file can if the file says so.
+enum class Heads : uint8_t { still, turn };
+
 // Its template: a built-in character or a file.
-void take_template(Library &library, Member &member, Lod lod);
+void take_template(Library &library, Member &member, Lod lod, Heads heads = Heads::still);
 
 // The clips that the class names, or those with usual names; CLQ_NONE: it has none, but it has a walk. Throws Failure
 // with the names of the clips that a character lacks.
@@ -48,6 +51,6 @@ GaitClips gait_clips(const Member &member);
 OwnLocomotion locomotion_of(Library &library, const Member &member);
 
 // Its template and its locomotion.
-Member cast(Library &library, const SocialClass &described, Lod lod);
+Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads = Heads::still);
 
 }  // namespace scenes::walkers

@@ -19,8 +19,8 @@ namespace scenes::walkers
 namespace
 {
 
-// Gives a record the characters of its names: built-in ones, with levels of detail where it was recorded with them, and
-// those of the user.
+// Gives a record the characters of its names: built-in ones, with levels of detail where it was recorded with them and
+// with heads that turn where people decided, and those of the user.
 class Cast
 {
 public:
@@ -36,7 +36,12 @@ public:
         }
         for (const std::string &name : builtins) templates_.push_back(library.builtin(name));
         if (give(record) == CLQ_OK) return;
-        for (const std::string &name : builtins) templates_.push_back(library.builtin(name, {}));
+        for (const std::string &name : builtins)
+            if (is_person(name)) templates_.push_back(library.builtin(name, {}));  // what flies has its own
+        if (give(record) == CLQ_OK) return;
+        for (const bool levels : {true, false})
+            for (const std::string &name : builtins)
+                if (is_person(name)) templates_.push_back(library.looking(name, levels));
         if (give(record) != CLQ_OK)
             throw Failure(std::string(clq_last_error()) + "; --characters names the files of characters");
     }
