@@ -9,6 +9,7 @@
 #include "samples/cli/progress.h"
 #include "samples/cli/view_open.h"
 #include "samples/io/png.h"
+#include "samples/processes/machine_share.h"
 
 namespace cli
 {
@@ -20,6 +21,7 @@ struct ViewArguments {
     std::vector<std::string> files;
     std::string script, rates, folder = ".";
     double scale = 1;
+    int processes = 1;
     CLI::Option *serve = nullptr;
     std::string place, password_file;
     view::serve::Options served;
@@ -37,7 +39,10 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     request.drop = view_drops(a.what);
     request.switches.strategy = strategy_number(a.what.setup.strategy);
     request.switches.levels = a.what.setup.lod == "off" ? 0 : 1;
-    request.switches.threads = thread_count(a.what.setup);
+    request.processes = a.processes;
+    request.cores_each = processes::cores_of_worker(a.processes, core_count());
+    const bool shared = a.processes > 1 && a.what.setup.threads == 0;
+    request.switches.threads = shared ? std::min(request.cores_each, 4) : thread_count(a.what.setup);
     request.width = a.what.setup.width, request.height = a.what.setup.height;
     request.scale = static_cast<float>(a.scale);
     request.context = a.what.setup.context == "osmesa" ? contexts::Kind::osmesa
@@ -93,6 +98,11 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--seed", a->what.setup.seed, "Seed of everything random")->capture_default_str();
     c.add_option("--threads", a->what.setup.threads, "Threads of the update, through oneTBB (default: the cores)")
         ->check(CLI::Range(1, 4));
+    c.add_option("--processes", a->processes,
+                 "Draw the picture by this many processes, each a part of it (docs/films.md); pixels do not depend on "
+                 "it")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
     c.add_option("--script", a->script, "Play a script without a window (docs/view.md)")->type_name("FILE.toml");
     a->serve =
         c.add_option("--serve", a->place,

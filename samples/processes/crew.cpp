@@ -40,7 +40,7 @@ void expect_no_threads()
 
 }  // namespace
 
-Crew::Crew(uint32_t count, Start start) : start_(std::move(start)), workers_(count)
+Crew::Crew(uint32_t count, Start start, Ends ends) : start_(std::move(start)), ends_(ends), workers_(count)
 {
     try {
         for (uint32_t i = 0; i < count; ++i) begin(i);
@@ -107,14 +107,25 @@ void Crew::work(uint32_t worker, Channel channel)
     _exit(0);
 }
 
-void Crew::replace(uint32_t worker)
+int Crew::end(Worker &one)
 {
-    Worker &one = workers_[worker];
     int status = 0;
     kill(one.process, SIGKILL);  // its socket is closed, whatever else it does
     while (waitpid(one.process, &status, 0) < 0 && errno == EINTR) continue;
-    one.process = 0;
+    one.process = 0, one.busy = false;
     one.channel.close();
+    return status;
+}
+
+void Crew::dismiss(uint32_t worker)
+{
+    if (is_there(worker)) end(workers_[worker]);
+}
+
+void Crew::replace(uint32_t worker)
+{
+    Worker &one = workers_[worker];
+    const int status = end(one);
     if (++one.ended_in_a_row > most_ends_in_a_row)
         throw std::runtime_error("process " + std::to_string(worker + 1) + " of " + std::to_string(workers_.size()) +
                                  " ended " + std::to_string(one.ended_in_a_row) + " times in a row, the last time " +
@@ -127,7 +138,10 @@ void Crew::send(uint32_t worker, const std::string &task)
 {
     Worker &one = workers_[worker];
     one.task = task, one.busy = true;
-    while (!one.channel.send(task)) replace(worker);
+    while (!one.channel.send(task)) {
+        if (ends_ == Ends::told) return;  // by wait()
+        replace(worker), one.busy = true;
+    }
 }
 
 Team::Answer Crew::wait()
@@ -149,6 +163,10 @@ Team::Answer Crew::wait()
             Worker &one = workers_[of[k]];
             std::string reply;
             if (!one.channel.receive(reply) || reply.empty()) {
+                if (ends_ == Ends::told) {
+                    end(one);
+                    return {of[k], "", true};
+                }
                 replace(of[k]);
                 send(of[k], std::string(one.task));
                 continue;

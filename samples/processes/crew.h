@@ -1,6 +1,7 @@
 // Worker processes that answer tasks. They are forked, without exec, by a process that has neither threads nor GL, so
 // each starts with all that its parent has read and needs no arguments. A worker that ends is replaced, and its task is
-// sent again. If the process that made them ends, in any way, its workers end too.
+// sent again; or that is told, where another process could not take its place. If the process that made them ends, in
+// any way, its workers end too.
 #pragma once
 
 #include <sys/types.h>
@@ -19,8 +20,12 @@ public:
     // worker throws ends the crew's work: wait() throws it as std::runtime_error.
     using Start = std::function<Answering(uint32_t worker)>;
 
+    // What follows when a worker ends. replaced: another one is forked, so that no thread may run then either. told:
+    // the answer of wait() says so, and the worker gets no more tasks.
+    enum class Ends { replaced, told };
+
     // Starts the workers. To be made where no other thread runs. Throws std::runtime_error.
-    Crew(uint32_t count, Start start);
+    Crew(uint32_t count, Start start, Ends ends = Ends::replaced);
     ~Crew() override;  // ends all of them at once
     Crew(const Crew &) = delete;
     Crew &operator=(const Crew &) = delete;
@@ -33,6 +38,9 @@ public:
 
     // Throws what a worker threw, or that workers keep ending.
     Answer wait() override;
+    // Ends a worker for good.
+    void dismiss(uint32_t worker);
+    bool is_there(uint32_t worker) const { return workers_[worker].process > 0; }
 
     uint32_t replaced() const override { return replaced_; }
 
@@ -46,11 +54,13 @@ private:
     };
 
     void begin(uint32_t worker);
+    static int end(Worker &worker);  // returns how
     void end_all();
     void replace(uint32_t worker);
     [[noreturn]] void work(uint32_t worker, Channel channel);
 
     Start start_;
+    Ends ends_;
     std::vector<Worker> workers_;
     uint32_t replaced_ = 0;
     uint32_t first_asked_ = 0;  // so that no worker waits behind the others

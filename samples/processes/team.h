@@ -29,6 +29,7 @@ public:
     struct Answer {
         uint32_t worker;
         std::string text;
+        bool ended = false;  // the worker, without an answer (Crew::Ends::told)
     };
 
     virtual ~Team() = default;

@@ -9,6 +9,7 @@
     FUNCTION(void, Disable, (unsigned a), (a))                                                                         \
     FUNCTION(void, DisableClientState, (unsigned a), (a))                                                              \
     FUNCTION(void, DrawElements, (unsigned a, int b, unsigned c, const void *d), (a, b, c, d))                         \
+    FUNCTION(void, DrawPixels, (int a, int b, unsigned c, unsigned d, const void *e), (a, b, c, d, e))                 \
     FUNCTION(void, Enable, (unsigned a), (a))                                                                          \
     FUNCTION(void, EnableClientState, (unsigned a), (a))                                                               \
     FUNCTION(void, GenTextures, (int a, unsigned *b), (a, b))                                                          \
@@ -23,6 +24,8 @@
     FUNCTION(void, PopMatrix, (), ())                                                                                  \
     FUNCTION(void, PushAttrib, (unsigned a), (a))                                                                      \
     FUNCTION(void, PushMatrix, (), ())                                                                                 \
+    FUNCTION(void, RasterPos2f, (float a, float b), (a, b))                                                            \
+    FUNCTION(void, ReadPixels, (int a, int b, int c, int d, unsigned e, unsigned f, void *g), (a, b, c, d, e, f, g))   \
     FUNCTION(void, Scissor, (int a, int b, int c, int d), (a, b, c, d))                                                \
     FUNCTION(void, ShadeModel, (unsigned a), (a))                                                                      \
     FUNCTION(void, TexCoordPointer, (int a, unsigned b, int c, const void *d), (a, b, c, d))                           \
@@ -45,6 +48,8 @@ struct GlCalls {
 };
 
 GlCalls gl_calls;
+
+constexpr unsigned rgb_format = 0x1907;
 
 }  // namespace
 
@@ -75,6 +80,46 @@ unsigned put_picture(unsigned texture, int side_px, const uint8_t *rgba)
     gl_calls.TexImage2D(gl::texture_2d, 0, gl::rgba, side_px, side_px, 0, gl::rgba, gl::unsigned_byte, rgba);
     gl_calls.BindTexture(gl::texture_2d, static_cast<unsigned>(before));
     return texture;
+}
+
+void read_columns(const processes::Tile &columns, int below, int height, uint8_t *rgb, int row_px)
+{
+    constexpr unsigned pack_row_length = 0xD02, pack_skip_pixels = 0xD04, pack_alignment = 0xD05;
+    gl_calls.PixelStorei(pack_alignment, 1);
+    gl_calls.PixelStorei(pack_row_length, row_px);
+    gl_calls.PixelStorei(pack_skip_pixels, columns.x0);
+    gl_calls.ReadPixels(columns.x0, below, columns.x1 - columns.x0, height, rgb_format, scenes::gl::unsigned_byte, rgb);
+    gl_calls.PixelStorei(pack_skip_pixels, 0);
+    gl_calls.PixelStorei(pack_row_length, 0);
+    gl_calls.PixelStorei(pack_alignment, 4);
+}
+
+void draw_rows(int width, int height, const uint8_t *rgb, int row_px)
+{
+    namespace gl = scenes::gl;
+    constexpr unsigned all_bits = 0xFFFFF, unpack_row_length = 0xCF2;
+    constexpr unsigned changes_pixels[] = {gl::texture_2d, gl::lighting, gl::fog,         gl::depth_test,
+                                           gl::blend,      0xBC0,        0xB90,           0xBD0,
+                                           0xBF2,          0xBF1,        gl::scissor_test};
+    gl_calls.PushAttrib(all_bits);
+    // The last ones: alpha test, stencil test, dither, and logic operations of both kinds.
+    for (const unsigned state : changes_pixels) gl_calls.Disable(state);
+    for (const unsigned matrix : {gl::modelview, gl::projection}) {
+        gl_calls.MatrixMode(matrix);
+        gl_calls.PushMatrix();
+        gl_calls.LoadIdentity();
+    }
+    gl_calls.PixelStorei(gl::unpack_alignment, 1);
+    gl_calls.PixelStorei(unpack_row_length, row_px);
+    gl_calls.RasterPos2f(-1, -1);  // exactly the corner of the viewport
+    gl_calls.DrawPixels(width, height, rgb_format, gl::unsigned_byte, rgb);
+    gl_calls.PixelStorei(unpack_row_length, 0);
+    gl_calls.PixelStorei(gl::unpack_alignment, 4);
+    for (const unsigned matrix : {gl::projection, gl::modelview}) {
+        gl_calls.MatrixMode(matrix);
+        gl_calls.PopMatrix();
+    }
+    gl_calls.PopAttrib();
 }
 
 void drop_picture(unsigned texture) { gl_calls.DeleteTextures(1, &texture); }

@@ -32,11 +32,13 @@ void Rates::add(double frame_s, const Model &model)
     interface_gl_ms_.push_back(model.cost.interface_gl_ms);
 }
 
-std::string Rates::json(const std::string &gl) const
+std::string Rates::json(const std::string &gl, int processes, uint32_t ended) const
 {
     const double all_ms = std::accumulate(frame_ms_.begin(), frame_ms_.end(), 0.0);
     nlohmann::ordered_json out;
     out["gl"] = gl;
+    out["processes"] = processes;
+    out["ended_processes"] = ended;
     out["frames"] = frame_ms_.size();
     out["frames_per_s"] = all_ms > 0 ? 1000 * static_cast<double>(frame_ms_.size()) / all_ms : 0;
     out["frame_ms"] = {{"median", quantile(frame_ms_, 0.5)}, {"most_of_95_percent", quantile(frame_ms_, 0.95)}};

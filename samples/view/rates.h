@@ -13,7 +13,8 @@ class Rates
 {
 public:
     void add(double frame_s, const Model &model);
-    std::string json(const std::string &gl) const;
+    // `processes`: that drew the picture, of which some `ended` early.
+    std::string json(const std::string &gl, int processes, uint32_t ended) const;
 
 private:
     std::vector<double> frame_ms_, update_ms_, surroundings_ms_, crowd_ms_, interface_ms_, interface_gl_ms_;

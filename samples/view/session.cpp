@@ -19,6 +19,16 @@ const Switches &with_gl(Surface &surface, const Switches &switches)
     return switches;
 }
 
+// Frames and switches of the last ten seconds.
+void remember(Model &model)
+{
+    model.cost.at_s = model.real_s;
+    model.history.push_back(model.cost);
+    const double first_s = model.real_s - history_s;
+    while (model.history.front().at_s < first_s) model.history.pop_front();
+    while (!model.switched.empty() && model.switched.front().at_s < first_s) model.switched.pop_front();
+}
+
 std::string list_of(const Point &p)
 {
     return "[" + fixed(p[0], 4) + ", " + fixed(p[1], 4) + ", " + fixed(p[2], 4) + "]";
@@ -44,6 +54,7 @@ Session::Session(Surface &surface, Open open, Loaded loaded, const Switches &swi
 void Session::renew()
 {
     ui_.forget_context();
+    if (painter_) painter_->renew();
     world_.renew();
     with_gl(surface_, model_.switches);
     model_.ground.roles.clear();
@@ -92,6 +103,7 @@ void Session::take_drop(const std::string &path)
 void Session::frame(const Input &input)
 {
     Clock &clock = model_.clock;
+    if (painter_) painter_->begin(input, model_);
     if (!input.dropped.empty()) take_drop(input.dropped);
     model_.real_s += input.elapsed_s;
     if (!clock.paused) clock.time_s += input.elapsed_s * static_cast<double>(clock.speed);
@@ -109,20 +121,40 @@ void Session::frame(const Input &input)
     designer.wishes.undo = designer.wishes.redo = false;
     designer.brush.held = designer.brush.held && ui_.holds();
     const double middle = now_ ? now_() : 0;
-    world_.frame(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
-    const double last = now_ ? now_() : 0;
-    if (world_.context_lost()) {
-        ui_.end();
-        return renew();
-    }
+    if (tile_) world_.show_columns(tiles::scaled(*tile_, on_picture.width));
+    world_.update(model_, on_picture.width, on_picture.height, input.height - on_picture.height);
+    const double updated = now_ ? now_() : 0;
     marks(ui_, model_, world_);
     ui_.close();
     const double closed = now_ ? now_() : 0;
-    ui_.draw();
+    if (painter_) painter_->paint(world_, model_, fingerprint());
+    else world_.draw(model_);
+    remember(model_);
+    if (world_.context_lost()) return renew();
+    const double drawn = now_ ? now_() : 0;
+    if (!tile_) ui_.draw();
     if (!now_) return;
     world_.finish();
-    model_.cost.interface_ms = (closed - last + middle - start) * 1000;
-    model_.cost.interface_gl_ms = model_.cost.crowd_ms < 0 ? -1 : (now_() - closed) * 1000;
+    model_.cost.interface_ms = (closed - updated + middle - start) * 1000;
+    model_.cost.interface_gl_ms = model_.cost.crowd_ms < 0 ? -1 : (now_() - drawn) * 1000;
+}
+
+uint64_t Session::fingerprint() const
+{
+    std::vector<uint8_t> all;
+    const auto add = [&all](const auto &value) {
+        const auto *bytes = reinterpret_cast<const uint8_t *>(&value);
+        all.insert(all.end(), bytes, bytes + sizeof value);
+    };
+    for (const Widget &one : ui_.widgets()) {
+        all.insert(all.end(), one.name.begin(), one.name.end());
+        for (const float side : {one.box.x0, one.box.y0, one.box.x1, one.box.y1}) add(side);
+    }
+    const clq_camera &camera = world_.camera();
+    add(camera.eye), add(camera.rotation_xyzw), add(camera.projection);
+    for (const int size : {world_.width(), world_.height()}) add(size);
+    add(model_.clock.time_s), add(model_.picked.actor.index1), add(model_.picked.zone);
+    return scenes::hash_of(all);
 }
 
 std::string path_text(const View &view)

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "samples/view/hands.h"
+#include "samples/view/painter.h"
 #include "samples/view/panels.h"
+#include "samples/view/tiles/task.h"
 
 namespace view
 {
@@ -21,6 +23,14 @@ public:
     // One frame: the person's input, the panels, the crowd at the model's time, and the picture of it all.
     void frame(const Input &input);
 
+    // The picture is drawn by another; null: by the world. It must live until this ends.
+    void paint_by(Painter *painter) { painter_ = painter; }
+    // Draws this tile of the picture alone, without the interface.
+    void show_tile(const tiles::Task &task) { tile_ = task; }
+    // Of the last frame: what the person could click on, and what the camera showed. Two sessions that got the same
+    // inputs do the same as long as these are equal.
+    uint64_t fingerprint() const;
+
     // The context is lost: shows the same in another one. What was done to single people is lost with it.
     void renew();
 
@@ -33,6 +43,8 @@ private:
     void take_drop(const std::string &path);
 
     Surface &surface_;
+    Painter *painter_ = nullptr;
+    std::optional<tiles::Task> tile_;
     Now now_;
     Drop drop_;
     World world_;

@@ -8,6 +8,7 @@
 #include "samples/view/script.h"
 #include "samples/view/serve/window.h"
 #include "samples/view/session.h"
+#include "samples/view/tiles/tile_crew.h"
 
 namespace view
 {
@@ -16,25 +17,24 @@ namespace
 
 double steady_s() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// Everything that a request asks of a new session.
-void begin(const Request &request, Session &session)
+// What drew the picture besides this process.
+std::string help_of(const Request &request, const std::unique_ptr<tiles::TileCrew> &crew)
 {
-    session.on_drop(request.drop);
-    if (request.colours.empty()) return;
-    session.put_on(request.colours);
-    session.model().designer.history = {};
+    if (!crew) return "";
+    std::string words = ", by " + std::to_string(request.processes) + " processes";
+    if (crew->lost() > 0) words += ", of which " + std::to_string(crew->lost()) + " ended";
+    return words;
 }
 
-void run_script(const Request &request)
+void run_script(const Request &request, Script script, const std::unique_ptr<tiles::TileCrew> &crew)
 {
-    Script script = read_script(request.script, request.script_file);
-    const Now now = script.measured ? steady_s : nullptr;
-    if (!request.rates.empty() && !now)
+    if (!request.rates.empty() && !request.now)
         throw scenes::Failure(request.script_file + " has no `measured = true`, which --rates needs");
     const size_t steps = script.steps.size();
     Player player(std::move(script), request.width, request.height);
     const auto surface = make_offscreen_surface(request.context, request.width, request.height);
-    Session session(*surface, request.open, request.switches, request.scale, now);
+    Session session(*surface, request.open, request.switches, request.scale, request.now);
+    session.paint_by(crew.get());
     begin(request, session);
     Saved saved(request);
     Input input;
@@ -49,9 +49,10 @@ void run_script(const Request &request)
         ++frames;
     }
     saved.end_film();
-    if (!request.rates.empty()) request.save_text(request.rates, rates.json(surface->name()));
+    if (!request.rates.empty())
+        request.save_text(request.rates, rates.json(surface->name(), request.processes, crew ? crew->lost() : 0));
     request.conclude(std::to_string(steps) + " steps, " + std::to_string(frames) + " frames, " +
-                     std::to_string(saved.pictures()) + " pictures, " + surface->name());
+                     std::to_string(saved.pictures()) + " pictures, " + surface->name() + help_of(request, crew));
 }
 
 std::unique_ptr<Window> window_of(const Request &request)
@@ -61,14 +62,15 @@ std::unique_ptr<Window> window_of(const Request &request)
                               request.say);
 }
 
-void run_window(const Request &request)
+void run_window(const Request &request, const std::unique_ptr<tiles::TileCrew> &crew)
 {
     auto window = window_of(request);
     const double start = steady_s();
     std::optional<Loaded> loaded = load_in(*window, request);
     if (!loaded) return;
     const double ready = steady_s();
-    Session session(*window, request.open, std::move(*loaded), request.switches, request.scale, steady_s);
+    Session session(*window, request.open, std::move(*loaded), request.switches, request.scale, request.now);
+    session.paint_by(crew.get());
     begin(request, session);
     Saved saved(request);
     Input input;
@@ -86,16 +88,31 @@ void run_window(const Request &request)
     request.conclude("loaded in " + fixed(ready - start, 1) + " s, first picture " + fixed((first - ready) * 1000, 0) +
                      " ms later; " + std::to_string(frames) + " frames, " +
                      fixed(static_cast<double>(frames) / std::max(1e-3, steady_s() - first), 1) + " a second, " +
-                     window->name());
+                     window->name() + help_of(request, crew));
 }
 
 }  // namespace
 
-void run(const Request &request)
+void begin(const Request &request, Session &session)
 {
-    request.progress("preparing");
-    if (request.script_file.empty()) run_window(request);
-    else run_script(request);
+    session.on_drop(request.drop);
+    if (request.colours.empty()) return;
+    session.put_on(request.colours);
+    session.model().designer.history = {};
+}
+
+void run(const Request &asked)
+{
+    asked.progress("preparing");
+    Request request = asked;
+    std::optional<Script> script;
+    if (!request.script_file.empty()) script = read_script(request.script, request.script_file);
+    if (!script || script->measured) request.now = steady_s;
+    // Before this process has threads and a context.
+    std::unique_ptr<tiles::TileCrew> crew;
+    if (request.processes > 1) crew = std::make_unique<tiles::TileCrew>(request);
+    if (script) run_script(request, std::move(*script), crew);
+    else run_window(request, crew);
 }
 
 }  // namespace view

@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr float third = 3;
-constexpr unsigned context_is_lost = 0x0507;  // GL_CONTEXT_LOST of KHR_robustness
 
 scenes::CrowdOptions with(scenes::CrowdOptions options, const Switches &switches)
 {
@@ -29,16 +28,6 @@ bool makes_anew(const Switches &a, const Switches &b)
 {
     return a.cache != b.cache || a.cull != b.cull || a.format != b.format || a.levels != b.levels ||
            a.threads != b.threads;
-}
-
-// Frames and switches of the last ten seconds.
-void remember(Model &model)
-{
-    model.cost.at_s = model.real_s;
-    model.history.push_back(model.cost);
-    const double first_s = model.real_s - history_s;
-    while (model.history.front().at_s < first_s) model.history.pop_front();
-    while (!model.switched.empty() && model.switched.front().at_s < first_s) model.switched.pop_front();
 }
 
 }  // namespace
@@ -79,6 +68,7 @@ void World::unmake()
     findings_.clear();
     index_ = nullptr;  // ends with its crowd
     view_.reset();
+    tile_view_.reset();
     scene_.reset();
     workbench_.reset();
     path_.reset();
@@ -223,7 +213,7 @@ void World::place_camera(Model &model, double aspect)
     view.free = free_camera_from(camera_, depth_of_ground(camera_, 15));
 }
 
-void World::frame(Model &model, int width, int height, int below)
+void World::update(Model &model, int width, int height, int below)
 {
     width_ = std::max(1, width), height_ = std::max(1, height), below_ = below;
     follow(model);
@@ -243,49 +233,22 @@ void World::frame(Model &model, int width, int height, int below)
     dress(model);
     scenes::check(clq_view_set_height(view_.get(), static_cast<float>(height_)));
     scenes::check(clq_view_set_camera(view_.get(), &camera_));
-    clq_view *views[] = {view_.get()};
+    clq_view *views[] = {view_.get(), nullptr};
+    if (shows_part()) views[1] = view_of_columns();
     start = now_s();
-    scenes::check(clq_crowd_update(scene_->crowd(), time_s_, views, 1));
+    scenes::check(clq_crowd_update(scene_->crowd(), time_s_, views, views[1] ? 2 : 1));
     cost.update_ms = ms_since(start);
     show_levels(model);
     if (pick_at) {
         model.picked = pick((*pick_at)[0], (*pick_at)[1]);
         ++model.picks;
     }
-    draw(model);
     cost.crowd = clq_crowd_stats_init();
     scenes::check(clq_crowd_get_stats(scene_->crowd(), &cost.crowd));
     cost.seen = clq_view_stats_init();
     scenes::check(clq_view_get_stats(view_.get(), &cost.seen));
     cost.steps = clq_update_times_init();
     scenes::check(clq_crowd_get_update_times(scene_->crowd(), &cost.steps));
-    remember(model);
-}
-
-void World::draw(Model &model)
-{
-    double start = now_s();
-    gl_.Viewport(0, below_, width_, height_);
-    gl_.DepthMask(1);
-    gl_.ClearColor(0, 0, 0, 1);
-    gl_.Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
-    scene_->draw_environment(gl_, eye_);
-    workbench_->draw_ground(gl_, eye_, time_s_);
-    // Waiting for GL between the parts tells what each takes, and makes the whole slower.
-    const bool apart = now_ && model.open.frame;
-    if (apart) gl_.Finish();
-    else if (surface_.flushes_cheaply()) gl_.Flush();
-    model.cost.surroundings_ms = apart ? ms_since(start) : -1;
-    start = now_s();
-    model.cost.drawn = clq_draw_stats_init();
-    scenes::check(clq_renderer_draw(renderer_, view_.get(), &model.cost.drawn));
-    if (level_row_) scenes::check(clq_renderer_draw(renderer_, level_row_->view(), nullptr));
-    if (apart) gl_.Finish();
-    model.cost.crowd_ms = apart ? ms_since(start) : -1;
-    context_lost_ = get_error_ && get_error_() == context_is_lost;
-    scene_->draw_things(gl_, eye_);
-    workbench_->draw_things(gl_, eye_, model);
-    if (model.spheres) scenes::draw_spheres(gl_, eye_, scene_->crowd(), everyone());
 }
 
 }  // namespace view

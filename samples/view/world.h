@@ -2,11 +2,13 @@
 // any host draws claque.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <map>
 #include <memory>
 
+#include "samples/processes/tile_borders.h"
 #include "samples/scenes/scene_renderer.h"
 #include "samples/view/designer/dresser.h"
 #include "samples/view/ground/findings.h"
@@ -74,9 +76,17 @@ public:
     void renew();
     // Whether GL said so in the last frame.
     bool context_lost() const { return context_lost_; }
-    // Does what the model wishes, then updates and draws everything but the interface.
+    // Does what the model wishes, then updates.
     // The picture is the lower left corner of the surface but for `below` lines under it.
-    void frame(Model &model, int width, int height, int below);
+    void update(Model &model, int width, int height, int below);
+    // Draws everything but the interface.
+    void draw(Model &model);
+    // Or shows it as others drew it: rows of `row_px` pixels of three bytes, the lowest first.
+    void put(const uint8_t *rgb, int row_px);
+
+    // From the next update on, draw() draws these columns alone. What is picked and counted is that of the whole
+    // picture.
+    void show_columns(const processes::Tile &columns) { columns_ = columns; }
 
     void finish() const { gl_.Finish(); }  // waits for GL
 
@@ -129,7 +139,10 @@ private:
     void tint(Model &model);
     void dress(Model &model);
     Served served_of(clq_actor actor, const clq_actor_info &info);
-    void draw(Model &model);
+    clq_view *view_of_columns();
+    bool shows_part() const { return columns_ && columns_->x0 < std::min(columns_->x1, width_); }
+    void clear() const;
+    void look_for_loss();
     void show_levels(Model &model);
     double now_s() const { return now_ ? now_() : 0; }
     double ms_since(double start_s) const { return now_ ? (now_() - start_s) * 1000 : -1; }
@@ -146,6 +159,8 @@ private:
     std::vector<clq_template *> templates_;
     std::optional<scenes::CameraPath> path_;
     scenes::Own<clq_view> view_;
+    std::optional<processes::Tile> columns_;
+    scenes::Own<clq_view> tile_view_;                     // of the columns
     clq_scene *index_ = nullptr;                          // of the crowd
     std::array<scenes::Own<clq_renderer>, 6> renderers_;  // by strategy, then with textures of their own
     clq_renderer *renderer_ = nullptr;
