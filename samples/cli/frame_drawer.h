@@ -30,7 +30,7 @@ public:
     // The same of a part of it.
     const std::vector<uint8_t> &draw(const Frame &frame, const processes::Tile &tile, Json &report);
 
-    // Of the last frame, drawn whole.
+    // Of the last frame, drawn whole, if a report is asked for.
     void add_hashes(const std::vector<uint8_t> &rgb, Json &report) const;
 
     scenes::SceneRenderer &scene_renderer() { return *scene_renderer_; }
