@@ -18,7 +18,7 @@ help:
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
-	@echo "make soak       a million updates of a changing crowd, then random input and malformed viewers of the window (some minutes)"
+	@echo "make soak       a million updates of a changing crowd, then films whose processes are killed, random input and malformed viewers of the window (some minutes)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
@@ -93,6 +93,7 @@ faults: build
 
 soak: build
 	$(BUILD)/tests/soak/soak --updates 1000000 --seconds 1700
+	tests/cli/killed_films.py $(BUILD)/samples/claque
 	[ ! -x $(BUILD)/tests/view/view_serve_test ] || CLAQUE_VIEW_MESSAGES=200000 $(BUILD)/tests/view/view_serve_test --gtest_filter='MalformedMessages.*'
 	[ ! -x $(BUILD)/tests/view/view_test ] || CLAQUE_VIEW_EVENTS=20000 CLAQUE_VIEW_SIDE=8192 $(BUILD)/tests/view/view_test --gtest_filter='RandomInput.*'
 
