@@ -115,7 +115,13 @@ clq_template *Library::builtin(const std::string &name, const std::vector<uint32
     clq_prepare_def def = clq_prepare_def_init();
     def.builtin = name.c_str();
     def.levels = &chain;
-    return own(key, [&] { return prepared(context(), def); });
+    return own(key, [&] {
+        clq_template *made = nullptr;
+        const clq_status status = clq_template_prepare(context(), &def, &made, nullptr);
+        if (status == CLQ_ARGUMENT && levels.empty())
+            def.levels = nullptr;  // it has levels of its own, or no such name
+        return status == CLQ_OK ? Own<clq_template>(made) : prepared(context(), def);
+    });
 }
 
 clq_template *Library::looking(const std::string &name, bool levels)

@@ -29,7 +29,7 @@ public:
     // as long as the library. Call it from one thread at a time.
     clq_template *builtin(const std::string &name);
     // The same with coarser levels of detail of about these numbers of triangles, descending; empty: claque's usual
-    // ones (claque/levels.h).
+    // ones (claque/levels.h), or those of its own that an owl and a herald have.
     clq_template *builtin(const std::string &name, const std::vector<uint32_t> &levels);
     // The same with degrees of freedom of neck and head, so that a gaze turns it. `levels`: with claque's usual
     // levels of detail.

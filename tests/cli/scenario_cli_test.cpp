@@ -147,6 +147,14 @@ TEST_F(ScenarioCommand, TheCameraFollowsAPersonUnlessAnotherIsAskedFor)
     EXPECT_NE(follows["frames"][0]["picture_hash"], above["frames"][0]["picture_hash"]);
 }
 
+// People get levels of detail; an owl has its own.
+TEST_F(ScenarioCommand, APersonWithARoleMayBeAnOwl)
+{
+    std::ofstream(path("owls.toml")) << "name = \"owls\"\n[[characters]]\nname = \"birds\"\ncharacter = \"owl\"\n"
+                                        "[[people]]\nclass = \"birds\"\nat = [0.0, 1.0, 0.0]\n";
+    EXPECT_EQ(render({"--scenario", path("owls.toml"), "--time", "1"})["frames"][0]["drawn"]["individuals"], 1);
+}
+
 // The two scenarios of docs/scenarios.md, as they stand there.
 TEST_F(ScenarioCommand, TheExamplesOfThePageAreDrawn)
 {
