@@ -12,6 +12,7 @@
 #include "tests/cli/run.h"
 #include "tests/faults/failing_files.h"
 #include "tests/faults/fault_kinds.h"
+#include "tests/faults/left_files.h"
 #include "tests/faults/subcommands.h"
 
 namespace
@@ -19,12 +20,8 @@ namespace
 
 namespace fs = std::filesystem;
 using cli_test::claque;
-using cli_test::file_text;
 using cli_test::Outcome;
-using command_faults::Kind;
-using command_faults::kinds;
-using command_faults::Subcommand;
-using command_faults::subcommands;
+using namespace command_faults;
 using failing_files::Fault;
 using failing_files::How;
 using failing_files::Operation;
@@ -34,22 +31,6 @@ bool is_thorough()
 {
     const char *effort = std::getenv("CLAQUE_FAULTS");
     return effort && std::string(effort) == "thorough";
-}
-
-// What lies below a folder: each file with its contents.
-using Files = std::map<std::string, std::string>;
-Files files_below(const fs::path &folder)
-{
-    Files all;
-    for (const auto &entry : fs::recursive_directory_iterator(folder))
-        all[fs::relative(entry.path(), folder).string()] = entry.is_regular_file() ? file_text(entry.path()) : "/";
-    return all;
-}
-
-// Two files of times are alike if both are whole.
-std::string without_times(const std::string &name, const std::string &text)
-{
-    return fs::path(name).extension() == ".json" && text.size() > 2 ? text.substr(text.size() - 2) : text;
 }
 
 fs::path the_folder;
@@ -73,13 +54,6 @@ void expect_done(const Words &words, std::string *printed = nullptr)
     const Outcome done = claque(placed(words));
     if (printed) *printed = done.out;
     ASSERT_EQ(done.code, 0) << words[0] << ": " << done.err;
-}
-
-std::string last_line(const std::string &text)
-{
-    if (text.empty() || text.back() != '\n') return "";
-    const size_t before = text.rfind('\n', text.size() - 2);
-    return text.substr(before == std::string::npos ? 0 : before + 1);
 }
 
 class CommandFaults : public testing::TestWithParam<size_t>
