@@ -1,22 +1,15 @@
 #include "samples/cli/frame_worker.h"
 
 #include <cstring>
-#include <ctime>
 
 #include "samples/cli/frame_division.h"
 #include "samples/cli/provenance.h"
+#include "samples/cli/stopwatch.h"
 
 namespace cli
 {
 namespace
 {
-
-double cpu_ms()
-{
-    timespec now = {};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-}
 
 Frame frame_of(const Json &task) { return {task["number"], task["time_s"], task["bare"].get<bool>() ? "-" : ""}; }
 
@@ -52,10 +45,10 @@ processes::Reply FrameWorker::draw_tile(const Json &task)
 {
     const processes::Tile tile = {task["x0"], task["x1"]};
     drawer_.subject();
-    const double begun_ms = cpu_ms();
+    const ProcessorWatch spent;
     Json report;
     const std::vector<uint8_t> &rgb = drawer_.draw(frame_of(task), tile, report);
-    const double spent_ms = cpu_ms() - begun_ms;
+    const double spent_ms = spent.ms();
     const size_t width = static_cast<size_t>(drawer_.options().width), own = 3 * static_cast<size_t>(tile.x1 - tile.x0);
     const processes::Pixels place = {task["at"].get<size_t>() + 3 * static_cast<size_t>(tile.x0), own, rgb.size() / own,
                                      3 * width};

@@ -5,14 +5,17 @@
 
 #include "samples/cli/label_scene.h"
 #include "samples/cli/label_work.h"
+#include "samples/cli/stopwatch.h"
 #include "samples/labels/formats.h"
 
 namespace cli
 {
 
 struct LabelledFiles {
-    Json about;   // what the picture says of its people, and its choices
-    Json report;  // counts and times
+    Json about;  // what the picture says of its people, and its choices
+    // Counts; times of the colour picture with its labels (label_), of that until the colour picture was read
+    // (picture_), and of making the files.
+    Json report;
     std::vector<labels::FrameFile> files;
 };
 
@@ -32,6 +35,9 @@ private:
     scenes::Library library_;
     scenes::SceneOptions options_;
     std::unique_ptr<LabelScene> scene_;
+    Stopwatch clock_;  // since the labelling of a picture began
+    ProcessorWatch spent_;
+    double picture_ms_ = 0, picture_cpu_ms_ = 0;  // of that, until the colour picture was read
 };
 
 // Of the scene that the arguments name.

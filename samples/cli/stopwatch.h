@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <vector>
 
 namespace cli
@@ -18,6 +19,23 @@ public:
 
 private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// The processor time of all threads of this process, which other processes do not lengthen.
+class ProcessorWatch
+{
+public:
+    double ms() const { return now_ms() - start_ms_; }
+
+private:
+    static double now_ms()
+    {
+        timespec now = {};
+        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+        return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+    }
+
+    double start_ms_ = now_ms();
 };
 
 // Measurements of repeated runs: the minimum shows what the machine can do, the median what a user sees.

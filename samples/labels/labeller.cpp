@@ -88,6 +88,7 @@ Sample Labeller::begin(int frame, double time_s)
     out.width = scene_.offscreen().width(), out.height = scene_.offscreen().height();
     out.rgb = wanted_.colours ? scene_.picture(time_s) : std::vector<uint8_t>();
     if (!wanted_.colours) scene_.update(time_s);
+    wanted_.drawn();
     if (wanted_.scene_depth) scene_.offscreen().read_depth(out.scene_depth);
     out.camera = scene_.camera_at(time_s);
     read_numbers(numbers_, nullptr);

@@ -17,6 +17,7 @@ struct Wanted {
     bool scene_depth = false;  // needs colours
     double step_s = 0.04;      // of optical flow, forward and backward
     const KeypointSet *keypoint_set = &coco_keypoints();
+    std::function<void()> drawn = [] {};  // called when the colour picture is read
 };
 
 class Labeller
