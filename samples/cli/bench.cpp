@@ -7,6 +7,7 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/stopwatch.h"
 #include "samples/cli/track_arguments.h"
 
 namespace cli
@@ -46,19 +47,22 @@ void bench(const BenchArguments &a)
     for (const std::string &path : {a.save, a.operations})
         if (!path.empty()) expect_writable(path);
     const bool along_path = a.setup.camera == "path";
-    const Json report = is_growth(a)              ? bench_growth(a)
-                        : is_of_close_textures(a) ? bench_close_textures(a)
-                        : is_vertex_format(a)     ? bench_vertex_format(a)
-                        : is_of_flicker(a)        ? bench_flicker(a)
-                        : is_of_key_poses(a)      ? bench_key_poses(a)
-                        : is_of_readers(a)        ? bench_readers(a)
-                        : is_of_tracks(a)         ? bench_tracks(a)
-                        : is_of_cities(a)         ? bench_cities(a)
-                        : is_of_shadows(a)        ? bench_shadows(a)
-                        : is_of_processes(a)      ? bench_processes(a)
-                        : along_path              ? bench_along_path(a)
-                        : of_actors(a)            ? bench_actors(a)
-                                                  : bench_by_count(a);
+    const bool of_processors = a.clock == "processor";
+    Stopwatch::use(of_processors ? Stopwatch::Clock::processor : Stopwatch::Clock::wall);
+    Json report = is_growth(a)              ? bench_growth(a)
+                  : is_of_close_textures(a) ? bench_close_textures(a)
+                  : is_vertex_format(a)     ? bench_vertex_format(a)
+                  : is_of_flicker(a)        ? bench_flicker(a)
+                  : is_of_key_poses(a)      ? bench_key_poses(a)
+                  : is_of_readers(a)        ? bench_readers(a)
+                  : is_of_tracks(a)         ? bench_tracks(a)
+                  : is_of_cities(a)         ? bench_cities(a)
+                  : is_of_shadows(a)        ? bench_shadows(a)
+                  : is_of_processes(a)      ? bench_processes(a)
+                  : along_path              ? bench_along_path(a)
+                  : of_actors(a)            ? bench_actors(a)
+                                            : bench_by_count(a);
+    report["clock"] = a.clock;
     if (!a.operations.empty()) write_operations(a);
     if (!a.save.empty()) write_whole(a.save, report.dump(2) + "\n");
     if (a.json) std::cout << report.dump(2) << "\n";
@@ -76,6 +80,7 @@ void bench(const BenchArguments &a)
     else if (along_path) print_sections(report);
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
+    if (of_processors && !a.json) std::cout << "\nTimes are of the processors, all threads together.\n";
 }
 
 void expect_trajectories(const CLI::App &command)
@@ -189,6 +194,10 @@ void add_bench(CLI::App &app, Work &chosen)
          "1 first also a model of more")
         ->delimiter(',')
         ->check(CLI::Range(1, 64));
+    c->add_option("--clock", a->clock,
+                  "What times are of: wall; or processor, of all threads and of GL's, which other programs change less")
+        ->check(CLI::IsMember({"wall", "processor"}))
+        ->capture_default_str();
     c->add_option("--frames", a->frames, "Measured frames of a run, or of each section of the path, at 25 a second")
         ->check(CLI::Range(1, 100000))
         ->capture_default_str();

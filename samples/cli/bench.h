@@ -16,7 +16,8 @@ struct BenchArguments {
     std::vector<std::string> shadows;  // empty: shadows as the scene paints them; caches and strategies are compared
     std::vector<int> processes;        // empty: caches and strategies are compared
     std::string save;
-    std::string operations;  // file for `claque cost --measured`
+    std::string operations;      // file for `claque cost --measured`
+    std::string clock = "wall";  // or "processor"
     int frames = 25;
     bool json = false, markdown = false;
 };

@@ -1,4 +1,5 @@
-// Times in milliseconds.
+// Times in milliseconds: of the wall, or of the processors that all threads of this process had, GL's included. On a
+// machine that others use too the second says what work costs, the first how long it took.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +13,27 @@ namespace cli
 class Stopwatch
 {
 public:
-    double ms() const
-    {
-        return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start_).count();
-    }
+    enum class Clock { wall, processor };
+
+    // For all stopwatches that are made from now on. To be called before other threads make any.
+    static void use(Clock clock) { chosen_ = clock; }
+
+    double ms() const { return now(clock_) - start_; }
 
 private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+    static double now(Clock clock)
+    {
+        if (clock == Clock::wall)
+            return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch())
+                .count();
+        timespec time = {};
+        ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) * 1e3 + static_cast<double>(time.tv_nsec) * 1e-6;
+    }
+
+    static inline Clock chosen_ = Clock::wall;
+    Clock clock_ = chosen_;
+    double start_ = now(clock_);
 };
 
 // The processor time of all threads of this process, which other processes do not lengthen.
