@@ -14,7 +14,7 @@ typedef struct clq_levels_def {
     uint32_t struct_bytes; /* set by clq_levels_def_init */
     /* [target_count] triangles of all parts together, descending, each 4 or more. Targets that are not below the
      * character's count are skipped. With target_count 0: a half, a quarter and so on of the character's count, while
-     * above 1300; then 1040, 934, 839, 753, 676, 607, 545, 490, 250, 120, 60, 42, 30, 20 and 14. */
+     * above 1300; then 1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 120, 60, 42, 30, 20 and 14. */
     const uint32_t *targets;
     uint32_t target_count;
     /* (> 0) the size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
@@ -22,10 +22,11 @@ typedef struct clq_levels_def {
     float tolerance_px;
     float metres_per_unit; /* (> 0) metres in a model unit. Default 1 */
     /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
-     * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. Proxies also
-     * replace every level from the first that misses its target by 5 %, changes a zone's share of the surface by 2
-     * points, or is worse than a coarser proxy. Only characters that are skinned or hang on several nodes get proxies;
-     * proxies are skinned, so CLQ_RIGID_MATRICES has no effect on the template. 0: no proxies. Default 250. */
+     * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. A decimated
+     * level that misses its target by 5 % or changes a zone's share of the surface by 2 points is left out; proxies
+     * replace all after the last that does neither, and every level from the first that is worse than a coarser proxy.
+     * Only characters that are skinned or hang on several nodes get proxies; proxies are skinned, so CLQ_RIGID_MATRICES
+     * has no effect on the template. 0: no proxies. Default 250. */
     uint32_t proxy_max_triangles;
     /* True: a baseline for comparison, not for drawing. Decimates the welded mesh by OpenMesh's quadric alone, each
      * corner taking the attributes of its vertex; makes no proxies and leaves no level out. */

@@ -97,9 +97,9 @@ std::vector<Decimated> decimated(const model::Model &model, const Source &source
     return options.quadric_only ? decimate_quadric_only(pieces, targets) : decimate(pieces, decimation);
 }
 
-// Adds decimated levels to `made`. Returns the targets, from the first failing one on, for proxies to take over; with
-// no proxies it returns none. A target fails if seams and borders keep decimation from reaching it or if the zone area
-// error is too large.
+// Adds decimated levels to `made`, with proxies none that fails. Returns the targets after the last that does not fail,
+// for proxies to take over; with no proxies it returns none. A target fails if seams and borders keep decimation from
+// reaching it or if the zone area error is too large.
 std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
                                     std::vector<Decimated> levels, const base::Jobs &jobs, bool has_proxies,
                                     std::vector<Candidate> &made)
@@ -109,9 +109,11 @@ std::vector<size_t> add_near_levels(const model::Model &model, const Source &sou
         zone_area_errors[k] =
             zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(levels[k].parts)));
     });
+    size_t end = 0;  // of those that proxies do not take over
     for (size_t k = 0; k < levels.size(); ++k) {
         const bool fails = zone_area_errors[k] > max_zone_area_error || levels[k].triangles * 20 > targets[k] * 21;
-        if (has_proxies && fails) return {targets.begin() + static_cast<ptrdiff_t>(k), targets.end()};
+        if (has_proxies && fails) continue;
+        end = k + 1;
         if (levels[k].triangles >= triangle_count_of(made.back())) continue;
         Candidate next;
         next.target = targets[k], next.level.flipped = levels[k].flipped;
@@ -120,7 +122,7 @@ std::vector<size_t> add_near_levels(const model::Model &model, const Source &sou
         made.push_back(std::move(next));
     }
     if (!has_proxies) return {};
-    return {targets.begin() + static_cast<ptrdiff_t>(levels.size()), targets.end()};
+    return {targets.begin() + static_cast<ptrdiff_t>(end), targets.end()};
 }
 
 void measure(const model::Model &model, const Source &source, const ChainOptions &options, std::vector<Candidate> &made)
@@ -204,7 +206,7 @@ std::vector<size_t> default_targets(size_t triangles)
 {
     std::vector<size_t> targets;
     for (size_t n = triangles / 2; n > 1300; n /= 2) targets.push_back(n);
-    for (const size_t n : {1040, 934, 839, 753, 676, 607, 545, 490, 250, 120, 60, 42, 30, 20, 14})
+    for (const size_t n : {1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 120, 60, 42, 30, 20, 14})
         if (n * 100 <= triangles * 95) targets.push_back(n);
     return targets;
 }

@@ -18,9 +18,9 @@ struct ChainOptions {
     DecimationOptions decimation;  // its own targets are not used
 
     // Levels of at most this many triangles are proxies (proxy.h): one mesh, no seams, a baked texture. Above 128
-    // triangles a decimated level is kept if its error is smaller. Proxies also replace every level from the first that
-    // misses its target by 5 %, shifts a zone by 2 points of the surface, or is worse than a proxy of fewer triangles.
-    // 0: no proxies.
+    // triangles a decimated level is kept if its error is smaller. A decimated level that misses its target by 5 % or
+    // shifts a zone by 2 points of the surface is left out. Proxies replace all after the last that does neither, and
+    // every level from the first that is worse than a proxy of fewer triangles. 0: no proxies.
     size_t proxy_max_triangles = 250;
     Sampling sampling;
     double metres_per_unit = 1;
@@ -40,7 +40,7 @@ struct LevelReport {
 };
 
 // Returns a half, a quarter and so on of the character's count, while above 1300; then those of the following that are
-// at most 95 % of it: eight levels from 1040 to 490 (S1 6), 250, 120, 60, 42, 30, 20, 14.
+// at most 95 % of it: eight levels from 1040 to 490 (S1 6), 430, 375, 330, 290, 250, 120, 60, 42, 30, 20, 14.
 std::vector<size_t> default_targets(size_t triangles);
 
 // Returns the distance in metres from which an error of `error_m` covers at most `pixels`, at 768 lines over 60

@@ -13,10 +13,32 @@ namespace
 {
 
 // Beyond this error of an area fraction, a zone's cost grows with the third power, so that no zone reaches two points.
-constexpr double steep = 0.006;
+constexpr double steep = 0.01;
 
 // Rays are cast again when so much of the triangles is left: what is seen of the others hardly changes.
 constexpr double recast = 0.9;
+
+// Of all faces together. A face that shows two zones counts for the zone of its centre where it has one sample only;
+// with this many, levels of some hundred triangles keep their zones.
+constexpr size_t samples = 16384;
+
+// Barycentric coordinates of the centres of n x n triangles that a face is cut into.
+std::vector<glm::vec3> points_of(size_t faces)
+{
+    int n = 1;
+    while (n < 4 && faces * size_t((n + 1) * (n + 1)) <= samples) ++n;
+    std::vector<glm::vec3> points;
+    for (int a = 0; a < n; ++a)
+        for (int b = 0; a + b < n; ++b) {
+            const auto add = [&](float third) {
+                const float x = (float(a) + third) / float(n), y = (float(b) + third) / float(n);
+                points.emplace_back(x, y, 1 - x - y);
+            };
+            add(1 / 3.0f);
+            if (a + b + 1 < n) add(2 / 3.0f);
+        }
+    return points;
+}
 
 }  // namespace
 
@@ -33,11 +55,11 @@ ZoneAreaCost::ZoneAreaCost(const WeldedSurface &surface, const model::Model &mod
 
 void ZoneAreaCost::measure() { measure_zones(area_fractions_); }
 
-size_t ZoneAreaCost::zone_of(Mesh::FaceHandle face) const
+size_t ZoneAreaCost::zone_of(Mesh::FaceHandle face, glm::vec3 at) const
 {
     const Corners &corners = surface_.mesh.property(surface_.corners, face);
     glm::vec2 uv(0);
-    for (const uint32_t corner : corners.corner) uv += surface_.uv(corner) / 3.0f;
+    for (int k = 0; k < 3; ++k) uv += surface_.uv(corners.corner[size_t(k)]) * at[k];
     const model::Part &part = surface_.part(surface_.part_of(corners.corner[0]));
     return std::min<size_t>(zone_at(model_, part, uv), model_.zones.size());
 }
@@ -54,7 +76,7 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
         query.two_sided = is_two_sided(model_, surface_.part(surface_.part_of(corners.corner[0])));
         queries.push_back(query);
         faces.push_back(static_cast<size_t>(face.idx()));
-        zones_[faces.back()] = zone_of(face);
+        zones_[faces.back()] = zone_of(face, glm::vec3(1 / 3.0f));
     }
     if (faces_at_cast_ == 0 || double(faces.size()) <= recast * double(faces_at_cast_)) {
         const std::vector<double> visibility = visibility_of(queries, VisibilityQuality::fast);
@@ -63,10 +85,13 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
     }
     area_fractions.assign(model_.zones.size() + 1, 0);
     double all = 0;
+    const std::vector<glm::vec3> points = points_of(faces.size());
     for (size_t i = 0; i < faces.size(); ++i) {
         const auto &c = queries[i].corners;
         const double area = visibility_[faces[i]] * TriangleFrame(c[0], c[1], c[2]).area;
-        area_fractions[zones_[faces[i]]] += area, all += area;
+        const Mesh::FaceHandle face(static_cast<int>(faces[i]));
+        for (const glm::vec3 &at : points) area_fractions[zone_of(face, at)] += area / double(points.size());
+        all += area;
     }
     for (double &share : area_fractions) share = all > 0 ? share / all : 0;
     return all;
