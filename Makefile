@@ -139,6 +139,7 @@ golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene plaza --lod off --count 400 --camera close --size 320x240 --time 1.5 --out tests/golden/plaza-close.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --lod off --size 320x240 --time 1.5 --out tests/golden/odeon.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --lod off --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
+	GALLIUM_DRIVER=softpipe $(CLAQUE) view patrician --lod off --count 2 --size 640x720 --script tests/golden/window.toml --shots tests/golden
 	$(BUILD)/tests/embed/strip_host > tests/golden/strip_host.txt
 
 # What the shared libraries export and import now is what they may.

@@ -1,7 +1,6 @@
 // claque bench SCENE --shadows A,B ...: what shadows on the ground cost, side by side in one run, and that they cause
 // no posing and no skinning.
 #include <cstdio>
-#include <ctime>
 #include <memory>
 
 #include "samples/cli/bench.h"
@@ -13,21 +12,8 @@ namespace cli
 namespace
 {
 
-// Processor time of all threads, GL's too: other load on the machine affects it less than wall time.
-class ProcessorWatch
-{
-public:
-    double ms() const { return now_ms() - start_ms_; }
-
-private:
-    static double now_ms()
-    {
-        timespec now = {};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-        return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-    }
-    double start_ms_ = now_ms();
-};
+// Of all threads, GL's too: other load on the machine affects it less than the time of the wall.
+Stopwatch processor_watch() { return Stopwatch(Stopwatch::Clock::processor); }
 
 struct ShadowsRival {
     std::string name;
@@ -40,15 +26,15 @@ struct ShadowsRival {
 void frame(ShadowsRival &rival, double time_s, bool counts)
 {
     rival.scene_renderer->make_current();
-    const ProcessorWatch updating;
+    const Stopwatch updating = processor_watch();
     rival.scene_renderer->update(time_s);
     const double update_ms = updating.ms();
     rival.scene_renderer->draw_environment();
     rival.scene_renderer->gl().Finish();
-    const ProcessorWatch darkening;
+    const Stopwatch darkening = processor_watch();
     rival.drawn = rival.scene_renderer->draw_shadows();
     const double shadow_ms = darkening.ms();
-    const ProcessorWatch drawing;
+    const Stopwatch drawing = processor_watch();
     rival.scene_renderer->draw_crowd();
     const double draw_ms = drawing.ms();
     if (!counts) return;

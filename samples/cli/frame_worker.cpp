@@ -45,7 +45,7 @@ processes::Reply FrameWorker::draw_tile(const Json &task)
 {
     const processes::Tile tile = {task["x0"], task["x1"]};
     drawer_.subject();
-    const ProcessorWatch spent;
+    const Stopwatch spent(Stopwatch::Clock::processor);
     Json report;
     const std::vector<uint8_t> &rgb = drawer_.draw(frame_of(task), tile, report);
     const double spent_ms = spent.ms();

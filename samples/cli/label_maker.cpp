@@ -58,7 +58,7 @@ LabelledFiles LabelMaker::make(int number)
         scene_ = a.rules ? varied_scene(library_, a.setup, options_, wanted, a.fps, *a.rules)
                          : film_scene(library_, options_, wanted, a.fps);
     }
-    clock_ = {}, spent_ = {};
+    clock_ = {}, spent_ = Stopwatch(Stopwatch::Clock::processor);
     const LabelledPicture made = scene_->label(number);
     const double label_ms = clock_.ms(), label_cpu_ms = spent_.ms();
     LabelledFiles out;

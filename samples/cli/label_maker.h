@@ -36,7 +36,7 @@ private:
     scenes::SceneOptions options_;
     std::unique_ptr<LabelScene> scene_;
     Stopwatch clock_;  // since the labelling of a picture began
-    ProcessorWatch spent_;
+    Stopwatch spent_{Stopwatch::Clock::processor};
     double picture_ms_ = 0, picture_cpu_ms_ = 0;  // of that, until the colour picture was read
 };
 

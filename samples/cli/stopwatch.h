@@ -15,7 +15,10 @@ class Stopwatch
 public:
     enum class Clock { wall, processor };
 
-    // For all stopwatches that are made from now on. To be called before other threads make any.
+    Stopwatch() = default;  // the clock of use()
+    explicit Stopwatch(Clock clock) : clock_(clock) {}
+
+    // For all stopwatches that are made from now on without a clock of their own. To be called before other threads make any.
     static void use(Clock clock) { chosen_ = clock; }
 
     double ms() const { return now(clock_) - start_; }
@@ -34,23 +37,6 @@ private:
     static inline Clock chosen_ = Clock::wall;
     Clock clock_ = chosen_;
     double start_ = now(clock_);
-};
-
-// The processor time of all threads of this process, which other processes do not lengthen.
-class ProcessorWatch
-{
-public:
-    double ms() const { return now_ms() - start_ms_; }
-
-private:
-    static double now_ms()
-    {
-        timespec now = {};
-        clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-        return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
-    }
-
-    double start_ms_ = now_ms();
 };
 
 // Measurements of repeated runs: the minimum shows what the machine can do, the median what a user sees.

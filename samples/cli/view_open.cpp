@@ -137,6 +137,8 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     if (!opened.options.path && has_path(setup) && setup.make == nullptr) {
         setup.camera = "path";
         opened.options = scene_options(setup, kept->character);
+        // A path of the scene itself is there to be chosen: it need not stay with the people.
+        opened.begins_on_path = setup.described || !setup.path.empty();
     }
     if (lines_up(what)) line_up(what, library, *kept, opened);
     opened.keeps = kept;

@@ -65,7 +65,7 @@ void Session::take_times()
 {
     model_.clock.first_s = model_.clock.time_s = world_.first_s();
     model_.clock.last_s = world_.last_s();
-    if (world_.has_path()) model_.view.shot = 2;
+    if (world_.begins_on_path()) model_.view.shot = 2;
 }
 
 void Session::put_on(const std::string &colours)

@@ -26,6 +26,7 @@ struct Opened {
     scenes::SceneOptions options;
     std::shared_ptr<void> keeps;
     double first_s = 0, last_s = 60;
+    bool begins_on_path = true;  // where there is a path; else with the overview
     std::function<void(scenes::Library &, const scenes::Scene &)> dress;  // the people, before they are shown
     // The character of a template of this name, whose textures can then be painted; empty: none can.
     std::function<scenes::Own<clq_asset>(scenes::Library &, const std::string &tmpl)> asset_of = {};
@@ -98,6 +99,7 @@ public:
     const clq_template *character() const { return opened_.options.character.tmpl; }
     const std::string &character_file() const { return opened_.character_file; }
     bool has_path() const { return path_.has_value(); }
+    bool begins_on_path() const { return path_ && opened_.begins_on_path; }
     double shown_s() const { return time_s_; }  // the time of the last frame
     double first_s() const { return opened_.first_s; }
     double last_s() const { return opened_.last_s; }

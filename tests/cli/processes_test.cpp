@@ -225,7 +225,9 @@ TEST_F(Killed, ACommandTakesItsWorkersWithItAndLeavesNoPart)
             RecordProperty("ended_after_ms_" + std::to_string(number), std::to_string(ms_since(sent)));
             EXPECT_LT(ms_since(sent), 5000) << "a worker outlives its command";
             for (const auto &file : fs::directory_iterator(path("film")))
-                if (number != SIGKILL) EXPECT_EQ(file.path().string().find(".part"), std::string::npos) << file.path();
+                if (number != SIGKILL) {
+                    EXPECT_EQ(file.path().string().find(".part"), std::string::npos) << file.path();
+                }
             fs::remove_all(path("film"));
         }
 }

@@ -12,18 +12,18 @@ namespace cli_test
 namespace
 {
 
-using Clock = cli::Stopwatch::Clock;
+using BenchClock = cli::Stopwatch::Clock;
 
 class ClocksOfBench : public Command
 {
 protected:
-    ~ClocksOfBench() override { cli::Stopwatch::use(Clock::wall); }
+    ~ClocksOfBench() override { cli::Stopwatch::use(BenchClock::wall); }
 };
 
 TEST_F(ClocksOfBench, ProcessorTimeStandsStillWhileTheProcessSleeps)
 {
     const cli::Stopwatch wall;
-    cli::Stopwatch::use(Clock::processor);
+    cli::Stopwatch::use(BenchClock::processor);
     const cli::Stopwatch processor;
     std::this_thread::sleep_for(std::chrono::milliseconds(200));
     const double used_ms = processor.ms();

@@ -73,6 +73,19 @@ TEST_F(ViewCommand, ShowsWhatItsFilesWouldShowIfTheyWereDropped)
     shows({classes_, "--scene", "parade", "--count", "2"}, "0 changes to undo");
 }
 
+// The odeon's own path turns to the stage after some seconds.
+TEST_F(ViewCommand, ShowsThePeopleOfASceneThatHasAPathOfItsOwn)
+{
+    Outcome outcome = view({"odeon", "--count", "30"}, {"click person 1", "see \"1, made once\"",
+                                                        "click \"camera: path\"", "wait 6 2", "see \"out of view\""});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    // A path that is named is what the window shows first.
+    outcome = view({"--scene", "odeon", "--count", "30", "--path", samples_ + "/scenes/odeon/path.toml"},
+                   {"wait 6 2", "click person 1"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("person 1 is nowhere"), std::string::npos) << outcome.err;
+}
+
 TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
 {
     write("picture.png", "no picture");

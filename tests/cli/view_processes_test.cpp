@@ -2,15 +2,13 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <thread>
 
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
-
-extern char **environ;
+#include "tests/cli/started.h"
 
 namespace cli_test
 {
@@ -20,15 +18,6 @@ namespace
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
-
-std::vector<pid_t> workers_of(pid_t process)
-{
-    const std::string id = std::to_string(process);
-    std::ifstream file("/proc/" + id + "/task/" + id + "/children");
-    std::vector<pid_t> found;
-    for (pid_t one = 0; file >> one;) found.push_back(one);
-    return found;
-}
 
 class ViewProcesses : public Drawing
 {
@@ -89,16 +78,12 @@ TEST_F(ViewProcesses, ThatEndLeaveTheirPartToOthers)
 {
     const Words steps = {"wait 1", "shot a.png", "wait 4", "shot b.png"};
     ASSERT_EQ(claque(words("one", "1", steps)).code, 0);
-    Words all = words("killed", "3", steps);
-    std::vector<char *> argv = {const_cast<char *>(CLAQUE_COMMAND)};
-    for (std::string &word : all) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    pid_t process = 0;
-    ASSERT_EQ(posix_spawn(&process, CLAQUE_COMMAND, nullptr, nullptr, argv.data(), environ), 0);
+    const pid_t process = start_claque(words("killed", "3", steps));
+    ASSERT_NE(process, 0);
     int state = 0;
-    while (workers_of(process).size() < 3 && waitpid(process, &state, WNOHANG) == 0)
+    while (children_of(process).size() < 3 && waitpid(process, &state, WNOHANG) == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    const std::vector<pid_t> workers = workers_of(process);
+    const std::vector<pid_t> workers = children_of(process);
     ASSERT_EQ(workers.size(), 3u);
     kill(workers[1], SIGKILL);  // while it loads
     while (!fs::exists(path("killed") + "/a.png") && waitpid(process, &state, WNOHANG) == 0)
