@@ -76,8 +76,9 @@ TEST_F(ViewCommand, ShowsWhatItsFilesWouldShowIfTheyWereDropped)
 // The odeon's own path turns to the stage after some seconds.
 TEST_F(ViewCommand, ShowsThePeopleOfASceneThatHasAPathOfItsOwn)
 {
-    Outcome outcome = view({"odeon", "--count", "30"}, {"click person 1", "see \"1, made once\"",
-                                                        "click \"camera: path\"", "wait 6 2", "see \"out of view\""});
+    Outcome outcome =
+        view({"odeon", "--count", "30"}, {"click person 1", "see \"1, made once\"", "click \"camera: path\"",
+                                          "wait 6 2", "wait 0.1", "see \"out of view\""});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     // A path that is named is what the window shows first.
     outcome = view({"--scene", "odeon", "--count", "30", "--path", samples_ + "/scenes/odeon/path.toml"},
