@@ -83,18 +83,11 @@ void bench(const BenchArguments &a)
     if (of_processors && !a.json) std::cout << "\nTimes are of the processors, all threads together.\n";
 }
 
-void expect_trajectories(const CLI::App &command)
-{
-    for (const char *name :
-         {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters", "--ground"})
-        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
-}
-
 void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tracks)
 {
     expect_subject(a.subject, a.setup);
     const bool walks = names_trajectories(a.subject);
-    if (!walks) expect_trajectories(command);
+    if (!walks) refuse_track_options(command);
     if (has_no_scene(a)) return;
     read_scenario(a.setup);
     if (walks) tracks.file = a.subject, a.setup.described = scenario_of(tracks);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <set>
 
-#include "samples/cli/scene_arguments.h"
+#include "samples/cli/track_arguments.h"
 #include "samples/labels/keypoints.h"
 #include "samples/labels/variation/rules.h"
 
@@ -13,6 +13,7 @@ namespace cli
 
 struct LabelArguments {
     SceneArguments setup;
+    TrackArguments tracks;  // where the people are those of a file
     std::string out, keypoints = "coco", json, vary;
     std::set<std::string> formats;
     labels::KeypointSet keypoint_set;    // that `keypoints` names

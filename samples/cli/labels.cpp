@@ -1,4 +1,6 @@
 // claque labels: pictures with exact labels, for training and testing what looks at pictures.
+#include <filesystem>
+
 #include "samples/cli/command.h"
 #include "samples/cli/label_work.h"
 #include "samples/cli/sequence.h"
@@ -8,18 +10,51 @@
 
 namespace cli
 {
+namespace
+{
+
+// WHAT is the name of a scene, a scenario, or a file of trajectories.
+void choose_subject(const CLI::App &command, const std::string &subject, LabelArguments &a)
+{
+    namespace fs = std::filesystem;
+    const bool is_scene = !subject.empty() && scene_names()(subject).empty();
+    const bool is_scenario = !is_scene && fs::path(subject).extension() == ".toml";
+    if (is_scene) a.setup.scene = subject;
+    if (is_scenario) a.setup.scenario = subject;
+    const bool walks = !subject.empty() && !is_scene && !is_scenario;
+    if (walks && !names_trajectories(subject))
+        throw CLI::ValidationError("WHAT", fs::is_regular_file(subject)
+                                               ? subject +
+                                                     " is a character; labels are of scenes, scenarios (TOML) "
+                                                     "and files of trajectories"
+                                               : subject + " is no scene, and no file of that name exists");
+    if (!walks) refuse_track_options(command);
+    read_scenario(a.setup);
+    if (walks) a.tracks.file = subject, a.setup.described = scenario_of(a.tracks);
+    check_scene_usage(a.setup);
+}
+
+}  // namespace
 
 void add_labels(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<LabelArguments>();
     const auto frames = std::make_shared<std::string>("0"), write = std::make_shared<std::string>("coco");
+    const auto subject = std::make_shared<std::string>();
     CLI::App *c = app.add_subcommand(
         "labels", "Pictures with exact labels: what every pixel is, where it moves, and where people's joints are");
-    c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza)")->check(scene_names());
-    add_scenario_option(*c, a->setup)->excludes(c->get_option("--scene"));
+    CLI::Option *what =
+        c->add_option("what", *subject, "A scene, a scenario (TOML), or a file of trajectories (docs/trajectories.md)")
+            ->type_name("SCENE|SCENARIO|TRACKS");
+    c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza)")
+        ->check(scene_names())
+        ->excludes(what);
+    add_scenario_option(*c, a->setup)->excludes(c->get_option("--scene"))->excludes(what);
     c->add_option("--count", a->setup.count, "Individuals (default: the scene's own number)")
         ->check(CLI::Range(1, 1000000));
     add_scene_options(*c, a->setup);
+    add_reading_options(*c, a->tracks);
+    add_walking_options(*c, a->tracks);
     c->add_option("--lod", a->setup.lod, "People with levels of detail (on) or without (off)")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();
@@ -56,10 +91,9 @@ void add_labels(CLI::App &app, Work &chosen)
                 "Restrict Mesa to what every x86-64 processor can do, so that all of them draw the same pixels");
     c->add_option("--out,-o", a->out, "Folder; pictures that it has already are kept")->required();
     c->add_option("--json", a->json, "Write times as JSON; - is standard output");
-    c->callback([a, frames, write, &chosen] {
+    c->callback([a, c, subject, frames, write, &chosen] {
         check_process_usage(a->processes);
-        read_scenario(a->setup);
-        check_scene_usage(a->setup);
+        choose_subject(*c, *subject, *a);
         a->keypoint_set = labels::keypoint_set(a->keypoints);
         if (!a->vary.empty()) a->rules = labels::load_rules(a->vary);
         const bool is_ruled = a->rules && a->rules->camera;

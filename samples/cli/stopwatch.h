@@ -18,7 +18,8 @@ public:
     Stopwatch() = default;  // the clock of use()
     explicit Stopwatch(Clock clock) : clock_(clock) {}
 
-    // For all stopwatches that are made from now on without a clock of their own. To be called before other threads make any.
+    // For all stopwatches that are made from now on without a clock of their own. To be called before other threads
+    // make any.
     static void use(Clock clock) { chosen_ = clock; }
 
     double ms() const { return now(clock_) - start_; }

@@ -69,6 +69,13 @@ clq_trajectories_def reading_of(const TrackArguments &a)
     return def;
 }
 
+void refuse_track_options(const CLI::App &command)
+{
+    for (const char *name :
+         {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters", "--ground"})
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
+}
+
 std::vector<std::string> names_in(const std::string &list)
 {
     std::vector<std::string> names;
@@ -113,7 +120,20 @@ std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a)
     out->tracks->reading.columns = nullptr;
     out->characters = options.characters;
     out->area = a.area;
+    out->files = {a.file};
+    if (!a.area.empty()) out->files.push_back(a.area);
     return out;
+}
+
+Json tracks_about(const TrackArguments &a)
+{
+    return {{"columns", a.columns},
+            {"rate_hz", a.rate_hz},
+            {"unit", a.unit},
+            {"up", a.up},
+            {"max_speed_m_s", a.max_speed_m_s},
+            {"vehicles", a.vehicles},
+            {"characters", a.characters}};
 }
 
 }  // namespace cli

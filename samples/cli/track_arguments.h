@@ -17,6 +17,8 @@ struct TrackArguments {
 void add_reading_options(CLI::App &command, TrackArguments &arguments);
 // --characters, --ground: who walks, and on what.
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
+// Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.
+void refuse_track_options(const CLI::App &command);
 
 // `columns` must live as long as the result.
 std::vector<std::string> names_in(const std::string &list);  // separated by commas
@@ -27,5 +29,7 @@ scenes::walkers::Options walkers_of(const TrackArguments &arguments);
 bool names_trajectories(const std::string &subject);
 // A scenario of the people in the file alone.
 std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &arguments);
+// How the file is read and what walks, for manifests.
+Json tracks_about(const TrackArguments &arguments);
 
 }  // namespace cli

@@ -1,5 +1,5 @@
-/* What a character has: a glTF file from memory with a marker, degrees of freedom with their ranges, a texture set that
- * is added to a built-in person, and colour classes from a file. */
+/* What a character has: a glTF file from memory with a marker, degrees of freedom with their ranges, a texture set and
+ * a degree of freedom that are added to a built-in person, and colour classes from a file. */
 #include <claque/assets.h>
 #include <claque/colour_files.h>
 #include <claque/colours.h>
@@ -59,8 +59,15 @@ int main(void)
     if (!images) return 1;
     check(clq_asset_add_texture_set(context, asset, "as ever", images, info.material_count));
     free(images);
+    /* A degree of freedom that the citizen lacks: a gaze mechanism may then turn its head. */
+    clq_asset_dof nod = clq_asset_dof_init();
+    nod.node_name = "head";
+    nod.dof = clq_dof_def_init();
+    nod.dof.name = "nod", nod.dof.axis[0] = 1, nod.dof.min = -0.6f, nod.dof.max = 0.6f;
+    check(clq_asset_add_dofs(context, asset, &nod, 1));
     check(clq_asset_build(context, asset, 0, &citizen));
     clq_asset_destroy(asset);
+    expect(clq_template_find_dof(citizen, "nod") != CLQ_NONE, "the template has the new degree of freedom");
     const uint32_t set = clq_template_find_texture_set(citizen, "as ever");
     expect(set == 2 && clq_template_find_texture_set(citizen, "bearded") == 1, "the new set follows the built-in one");
     expect(strcmp(clq_template_get_texture_set_name(citizen, set), "as ever") == 0, "it has its name");

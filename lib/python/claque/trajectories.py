@@ -4,7 +4,7 @@ from ctypes import POINTER, byref, c_double, c_size_t, c_uint8, c_uint32, cast
 
 import numpy
 
-from . import abi
+from . import abi, abi_trajectories
 from .memory import borrowed
 from .owner import Owned, made
 
@@ -40,9 +40,9 @@ class Trajectories(Owned):
 
     @staticmethod
     def _def(options):
-        definition = abi.TrajectoriesDef(max_speed_m_s=12, start_s=-numpy.inf, end_s=numpy.inf)
+        definition = abi_trajectories.TrajectoriesDef(max_speed_m_s=12, start_s=-numpy.inf, end_s=numpy.inf)
         for name, value in options.items():
-            if name not in dict(abi.TrajectoriesDef._fields_):
+            if name not in dict(abi_trajectories.TrajectoriesDef._fields_):
                 raise TypeError(f"clq_trajectories_def has no member {name}")
             if name == "picture_to_metres":
                 value = (c_double * 9)(*numpy.asarray(value, float).reshape(9))
@@ -53,7 +53,7 @@ class Trajectories(Owned):
     @property
     def info(self):
         """The clq_trajectories_info."""
-        out = abi.TrajectoriesInfo()
+        out = abi_trajectories.TrajectoriesInfo()
         abi.call("clq_trajectories_get_info", self.handle, byref(out))
         return out
 
@@ -68,7 +68,7 @@ class Trajectories(Owned):
         """(id, samples) of each person; the arrays are parts of `samples`."""
         samples, out = self.samples, []
         for i in range(self.info.person_count):
-            person = abi.TrajectoryPerson()
+            person = abi_trajectories.TrajectoryPerson()
             abi.call("clq_trajectories_get_person", self.handle, c_uint32(i), byref(person))
             out.append((person.id.decode(), samples[person.first_sample : person.first_sample + person.sample_count]))
         return out
@@ -96,7 +96,7 @@ class Area(Owned):
     @property
     def info(self):
         """The clq_area_info."""
-        out = abi.AreaInfo()
+        out = abi_trajectories.AreaInfo()
         abi.call("clq_area_get_info", self.handle, byref(out))
         return out
 

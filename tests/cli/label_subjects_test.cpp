@@ -1,0 +1,89 @@
+// What claque labels is asked to label: a scene, a scenario or a file of trajectories, by its name alone.
+#include <algorithm>
+#include <fstream>
+
+#include "tests/cli/run.h"
+
+namespace cli_test
+{
+namespace
+{
+
+class LabelSubjects : public Drawing
+{
+protected:
+    void SetUp() override
+    {
+        Drawing::SetUp();
+        std::ofstream table(path("two.csv"));
+        table << "id,frame,x,y\n";
+        for (int frame = 0; frame <= 30; ++frame)
+            table << "1," << frame << ',' << 0.1 * frame << ",0\n2," << frame << ",0," << 1 + 0.1 * frame << '\n';
+        std::ofstream(path("two.toml")) << "name = \"two\"\n[tracks]\nfile = \"two.csv\"\n"
+                                           "columns = \"id,frame,x,y\"\nrate_hz = 10\n"
+                                           "unit = \"m\"\n";
+    }
+
+    Outcome label(const std::string &folder, std::vector<std::string> subject, std::vector<std::string> more = {}) const
+    {
+        std::vector<std::string> all = {"labels",   "--out",    path(folder), "--size", "96x72",   "--frames", "10:11",
+                                        "--camera", "overview", "--fps",      "10",     "--write", "coco,mot"};
+        all.insert(all.end(), subject.begin(), subject.end());
+        all.insert(all.end(), more.begin(), more.end());
+        return claque(all);
+    }
+
+    std::map<std::string, std::string> labels_in(const std::string &folder) const
+    {
+        auto found = contents(folder);
+        found.erase("settings.json");  // names its files; each picture's JSON has its hash
+        for (const char *name : {"frames/000010.json", "frames/000011.json"}) EXPECT_EQ(found.erase(name), 1u);
+        return found;
+    }
+
+    const std::vector<std::string> reading_ = {"--columns", "id,frame,x,y", "--rate", "10", "--unit", "m"};
+};
+
+TEST_F(LabelSubjects, AreScenesByTheirNames)
+{
+    ASSERT_EQ(label("named", {"plaza", "--count", "6"}).code, 0);
+    ASSERT_EQ(label("option", {"--scene", "plaza", "--count", "6"}).code, 0);
+    EXPECT_TRUE(contents("named") == contents("option"));
+}
+
+TEST_F(LabelSubjects, AreScenariosAndFilesOfTrajectories)
+{
+    Outcome outcome = label("tracks", {path("two.csv")}, reading_);
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    outcome = label("scenario", {path("two.toml")});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const auto made = labels_in("tracks");
+    EXPECT_TRUE(made == labels_in("scenario"));
+    const std::string &mot = made.at("mot/gt/gt.txt");
+    EXPECT_EQ(std::count(mot.begin(), mot.end(), '\n'), 4) << mot;  // two people in two frames
+    // A folder has the labels of one way of reading.
+    outcome = label("tracks", {path("two.csv")}, {"--columns", "id,frame,y,x", "--rate", "10", "--unit", "m"});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("/tracks/columns is \"id,frame,x,y\" there and \"id,frame,y,x\" here"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST_F(LabelSubjects, ThatAreNothingAreNamed)
+{
+    Outcome outcome = label("none", {"plazza"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("plazza is no scene, and no file of that name exists"), std::string::npos)
+        << outcome.err;
+    outcome = label("none", {"plaza"}, {"--rate", "10"});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("--rate: is for a file of trajectories"), std::string::npos) << outcome.err;
+    std::ofstream(path("person.glb")) << "glTF";
+    outcome = label("none", {path("person.glb")});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("person.glb is a character"), std::string::npos) << outcome.err;
+    EXPECT_EQ(label("none", {"plaza", "--scene", "odeon"}).code, 2);
+}
+
+}  // namespace
+}  // namespace cli_test
