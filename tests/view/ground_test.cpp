@@ -186,7 +186,9 @@ TEST_F(GroundOf, StatesAreSavedAsScenariosThatShowTheSame)
         pick(character.c_str());
         const std::vector<float> before = now();
         play(steps);
-        if (character != "owl") EXPECT_EQ(session().model().message, "") << character;
+        if (character != "owl") {
+            EXPECT_EQ(session().model().message, "") << character;
+        }
         const std::vector<float> shown_here = now();
         ASSERT_FALSE(shown_here.empty()) << character;
         EXPECT_NE(shown_here, before) << character;
