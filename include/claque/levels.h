@@ -23,10 +23,10 @@ typedef struct clq_levels_def {
     float metres_per_unit; /* (> 0) metres in a model unit. Default 1 */
     /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
      * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. A decimated
-     * level that misses its target by 5 % or changes a zone's share of the surface by 2 points is left out; proxies
-     * replace all after the last that does neither, and every level from the first that is worse than a coarser proxy.
-     * Only characters that are skinned or hang on several nodes get proxies; proxies are skinned, so CLQ_RIGID_MATRICES
-     * has no effect on the template. 0: no proxies. Default 250. */
+     * level fails if it misses its target by 5 % or changes a zone's share of the surface by 2 points: it is left out.
+     * Proxies replace all levels after the last that does not fail, and all from the first whose error is larger than
+     * that of a coarser proxy. Only characters that are skinned or hang on several nodes get proxies. Proxies are
+     * skinned, so CLQ_RIGID_MATRICES has no effect on the template. 0: no proxies. Default 250. */
     uint32_t proxy_max_triangles;
     /* True: a baseline for comparison, not for drawing. Decimates the welded mesh by OpenMesh's quadric alone, each
      * corner taking the attributes of its vertex; makes no proxies and leaves no level out. */

@@ -97,8 +97,8 @@ std::vector<Decimated> decimated(const model::Model &model, const Source &source
     return options.quadric_only ? decimate_quadric_only(pieces, targets) : decimate(pieces, decimation);
 }
 
-// Adds decimated levels to `made`, with proxies none that fails. Returns the targets after the last that does not fail,
-// for proxies to take over; with no proxies it returns none. A target fails if seams and borders keep decimation from
+// Adds decimated levels to `made`; where proxies follow, none that fails. Returns the targets after the last that does
+// not fail, which proxies take over; none without proxies. A target fails if seams and borders keep decimation from
 // reaching it or if the zone area error is too large.
 std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
                                     std::vector<Decimated> levels, const base::Jobs &jobs, bool has_proxies,

@@ -18,9 +18,9 @@ struct ChainOptions {
     DecimationOptions decimation;  // its own targets are not used
 
     // Levels of at most this many triangles are proxies (proxy.h): one mesh, no seams, a baked texture. Above 128
-    // triangles a decimated level is kept if its error is smaller. A decimated level that misses its target by 5 % or
-    // shifts a zone by 2 points of the surface is left out. Proxies replace all after the last that does neither, and
-    // every level from the first that is worse than a proxy of fewer triangles. 0: no proxies.
+    // triangles a decimated level is kept if its error is smaller. A decimated level fails if it misses its target by
+    // 5 % or shifts a zone by 2 points of the surface: it is left out. Proxies replace all levels after the last that
+    // does not fail, and all from the first whose error is larger than that of a coarser proxy. 0: no proxies.
     size_t proxy_max_triangles = 250;
     Sampling sampling;
     double metres_per_unit = 1;

@@ -1,10 +1,11 @@
 #include "samples/cli/characters.h"
 
 #include <algorithm>
-#include <cctype>
+#include <set>
 #include <unistd.h>
 
 #include "samples/cli/files.h"
+#include "samples/io/ending.h"
 
 namespace cli
 {
@@ -141,12 +142,9 @@ bool is_prepared(const std::string &path) { return path.size() > 4 && path.subst
 
 bool is_other_format(const std::string &path)
 {
-    std::string name = path;
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    for (const std::string end : {".fbx", ".dae", ".obj", ".3ds", ".x", ".blend", ".md5mesh", ".ms3d", ".b3d", ".lwo",
-                                  ".smd", ".ply", ".stl", ".mesh.xml"})
-        if (name.size() > end.size() && name.compare(name.size() - end.size(), end.size(), end) == 0) return true;
-    return false;
+    static const std::set<std::string> others = {".fbx",  ".dae", ".obj", ".3ds", ".x",   ".blend", ".md5mesh",
+                                                 ".ms3d", ".b3d", ".lwo", ".smd", ".ply", ".stl"};
+    return others.count(io::ending_of(path)) != 0 || path.find(".mesh.xml") != std::string::npos;
 }
 
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,

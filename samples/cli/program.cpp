@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "samples/io/joined.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
 #include "samples/scenes/check.h"
@@ -26,17 +27,17 @@ std::string no_subcommand(const CLI::App &app, int argc, char **argv)
 {
     const CLI::App *at = &app;
     for (int word = 1;; ++word) {
-        std::string known;
+        std::vector<std::string> known;
         const CLI::App *next = nullptr;
         for (const CLI::App *one : subcommands_of(*at)) {
-            known += (known.empty() ? "" : ", ") + one->get_name();
+            known.push_back(one->get_name());
             if (word < argc && one->get_name() == argv[word]) next = one;
         }
         if (known.empty() || (!next && word < argc && argv[word][0] == '-')) return "";
         if (!next)
             return (word < argc ? "'" + std::string(argv[word]) + "' is no subcommand of " + at->get_name()
                                 : at->get_name() + " needs a subcommand") +
-                   "; there are: " + known;
+                   "; there are: " + io::joined(known);
         at = next;
     }
 }

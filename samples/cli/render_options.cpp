@@ -1,7 +1,6 @@
 // claque render: its options, and those that it shares with other commands that draw.
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <set>
 #include <unistd.h>
 
@@ -9,6 +8,7 @@
 #include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
 #include "samples/cli/work_share.h"
+#include "samples/io/ending.h"
 #include "samples/processes/ranks.h"
 
 namespace cli
@@ -19,10 +19,9 @@ namespace
 
 bool ends_like_another_format(const std::string &path)
 {
-    const std::string ending = std::filesystem::path(path).extension().string();
     static const std::set<std::string> others = {".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".tiff", ".webp", ".ppm",
                                                  ".svg", ".mp4",  ".mkv", ".mov", ".avi", ".webm", ".pdf"};
-    return others.count(ending) != 0;
+    return others.count(io::ending_of(path)) != 0;
 }
 
 }  // namespace

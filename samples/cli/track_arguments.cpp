@@ -1,9 +1,9 @@
 #include "samples/cli/track_arguments.h"
 
-#include <cctype>
 #include <filesystem>
 #include <sstream>
 
+#include "samples/io/ending.h"
 #include "samples/scenes/scenario/tracks.h"
 #include "samples/scenes/walkers/cast.h"
 
@@ -103,9 +103,8 @@ bool names_trajectories(const std::string &subject)
     namespace fs = std::filesystem;
     std::error_code ignored;
     if (!fs::is_regular_file(subject, ignored)) return false;
-    std::string ending = fs::path(subject).extension().string();
-    for (char &c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return ending != ".gltf" && ending != ".glb" && ending != ".clq";
+    const std::string ending = io::ending_of(subject);
+    return ending != ".gltf" && ending != ".glb" && ending != ".clq" && !is_other_format(subject);
 }
 
 std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a)

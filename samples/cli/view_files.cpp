@@ -4,29 +4,25 @@
 
 #include "samples/cli/characters.h"
 #include "samples/cli/files.h"
+#include "samples/io/ending.h"
 
 namespace cli
 {
 namespace
 {
 
-bool ends_with(const std::string &text, const std::string &end)
+bool ends_with_one_of(const std::string &path, std::initializer_list<const char *> endings)
 {
-    return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+    return std::find(endings.begin(), endings.end(), io::ending_of(path)) != endings.end();
 }
 
-bool ends_with_one_of(const std::string &path, std::initializer_list<const char *> ends)
-{
-    return std::any_of(ends.begin(), ends.end(), [&](const char *end) { return ends_with(path, end); });
-}
-
-bool is_image(const std::string &path) { return ends_with_one_of(path, {".png", ".jpg", ".jpeg", ".PNG", ".JPG"}); }
-bool is_motion_capture(const std::string &path) { return ends_with_one_of(path, {".bvh", ".BVH"}); }
+bool is_image(const std::string &path) { return ends_with_one_of(path, {".png", ".jpg", ".jpeg"}); }
+bool is_motion_capture(const std::string &path) { return io::ending_of(path) == ".bvh"; }
 
 // Whether a TOML file has a table of this name.
 bool has_table(const std::string &path, const std::string &name)
 {
-    if (!ends_with(path, ".toml")) return false;
+    if (io::ending_of(path) != ".toml") return false;
     const std::string toml = text_of(path);
     return toml.rfind("[[" + name, 0) == 0 || toml.find("\n[[" + name) != std::string::npos;
 }
@@ -71,7 +67,7 @@ ViewWhat with_file(ViewWhat what, const std::string &path)
         what.clips.files.push_back(path);
     } else if (is_colour_map(path)) what.colours = path;
     else if (is_camera_path(path)) what.setup.path = path;
-    else if (ends_with(path, ".toml")) what.setup.scenario = path;
+    else if (io::ending_of(path) == ".toml") what.setup.scenario = path;
     else if (names_scene(path)) what.setup.scene = path;
     else (is_view_character(path) ? what.setup.file : what.tracks.file) = path;
     return what;

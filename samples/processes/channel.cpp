@@ -1,7 +1,6 @@
 #include "samples/processes/channel.h"
 
 #include <cerrno>
-#include <cstdint>
 #include <sys/socket.h>
 #include <unistd.h>
 #include <utility>
@@ -10,8 +9,6 @@ namespace processes
 {
 namespace
 {
-
-constexpr uint32_t most_bytes = 1u << 28;
 
 // MSG_NOSIGNAL: a process that ended must not end this one by SIGPIPE.
 bool put(int socket, const char *bytes, size_t size)
@@ -47,14 +44,14 @@ Channel &Channel::operator=(Channel &&other) noexcept
 bool Channel::send(const std::string &message)
 {
     const uint32_t size = static_cast<uint32_t>(message.size());
-    return message.size() <= most_bytes && put(socket_, reinterpret_cast<const char *>(&size), sizeof size) &&
+    return message.size() <= max_bytes && put(socket_, reinterpret_cast<const char *>(&size), sizeof size) &&
            put(socket_, message.data(), message.size());
 }
 
 bool Channel::receive(std::string &message)
 {
     uint32_t size = 0;
-    if (!take(socket_, reinterpret_cast<char *>(&size), sizeof size) || size > most_bytes) return false;
+    if (!take(socket_, reinterpret_cast<char *>(&size), sizeof size) || size > max_bytes) return false;
     message.resize(size);
     return take(socket_, message.data(), size);
 }

@@ -1,6 +1,7 @@
 // Messages between two processes over one end of a socket: texts with their length in front.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 namespace processes
@@ -13,6 +14,9 @@ public:
     ~Channel() { close(); }
     Channel(Channel &&other) noexcept : socket_(other.socket_) { other.socket_ = -1; }
     Channel &operator=(Channel &&other) noexcept;
+
+    // Of a message.
+    static constexpr uint32_t max_bytes = 1u << 30;
 
     // Both wait. They return false if the other process has ended or closed its end; a part of a message counts as
     // none.

@@ -96,7 +96,12 @@ void Crew::work(uint32_t worker, Channel channel)
         std::string reply;
         try {
             if (!answering) answering = start_(worker);
-            reply = "+" + answering(task).text;
+            reply = answering(task).text;
+            if (reply.size() >= Channel::max_bytes)
+                throw std::runtime_error("an answer of " + std::to_string(reply.size()) + " bytes is longer than the " +
+                                         std::to_string(Channel::max_bytes - 1) +
+                                         " that one process takes from another: use one process");
+            reply.insert(0, "+");
         } catch (const std::exception &failure) {
             reply = std::string("-") + failure.what();
         } catch (...) {

@@ -82,6 +82,10 @@ TEST_F(LabelSubjects, ThatAreNothingAreNamed)
     outcome = label("none", {path("person.glb")});
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.err.find("person.glb is a character"), std::string::npos) << outcome.err;
+    std::ofstream(path("person.FBX")) << "Kaydara FBX";
+    outcome = label("none", {path("person.FBX")});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("person.FBX is a character"), std::string::npos) << outcome.err;
     EXPECT_EQ(label("none", {"plaza", "--scene", "odeon"}).code, 2);
 }
 

@@ -1,8 +1,6 @@
 """Files of labels, read by OpenCV: they hold the arrays of the archive, which NumPy reads."""
 
 import json
-import os
-import shutil
 import subprocess
 
 import numpy
@@ -10,15 +8,9 @@ import pytest
 
 cv2 = pytest.importorskip("cv2", reason="OpenCV is not there (Debian: python3-opencv)")
 
-import claque  # noqa: E402
+from drawing_command import COMMAND, needs_command  # noqa: E402
 
-COMMAND = os.environ.get("CLAQUE_COMMAND")
-try:
-    claque.Offscreen(8, 8).close()
-    MISSING = "" if COMMAND and shutil.which(COMMAND) else "CLAQUE_COMMAND names no command"
-except claque.Error as error:
-    MISSING = str(error)
-pytestmark = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+pytestmark = needs_command
 
 
 @pytest.fixture(scope="module")

@@ -1,21 +1,15 @@
 """Samples that rules vary: each is that of its number, whichever others are asked for."""
 
 import os
-import shutil
 
 import numpy
 import pytest
 
 import claque
 from claque import abi
+from drawing_command import needs_command
 
-COMMAND = os.environ.get("CLAQUE_COMMAND")
-try:
-    claque.Offscreen(8, 8).close()
-    MISSING = "" if COMMAND and shutil.which(COMMAND) else "CLAQUE_COMMAND names no command"
-except claque.Error as error:
-    MISSING = str(error)
-pytestmark = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+pytestmark = needs_command
 
 RULES = """
 time_s = [0, 20]

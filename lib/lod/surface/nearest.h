@@ -19,7 +19,7 @@ struct PrecomputedTriangle {
     double square;  // of the normal's length
 };
 
-// Four triangles as floats. Rounding may make a distance too large, but by a known bound at most.
+// Four triangles as floats. Rounding makes a distance too large by a known bound at most.
 class TriangleBlock
 {
 public:

@@ -43,8 +43,8 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     command    the command claque; None: CLAQUE_COMMAND, or the one on PATH
 
     The command works ahead in a folder for temporary files, which is gone when the loop ends. Until then it holds the
-    samples that the loop has not reached yet; TMPDIR says where it is. Raises claque.Error with
-    the command's sentence if it fails."""
+    samples that the loop has not reached yet; TMPDIR says where it is. Raises claque.Error with the command's sentence
+    if it fails."""
     numbers = [int(number) for number in numbers]
     if not numbers:
         return
