@@ -1,5 +1,6 @@
 // A view of a part of a picture lists what can be seen in that part, as the view of the whole picture shows it. Each
 // part has a crowd of its own, as in a process of its own, and its borders move from frame to frame.
+#include <algorithm>
 #include <cstring>
 
 #include <gtest/gtest.h>
@@ -69,9 +70,10 @@ uint64_t parts_in(const frame::View &view, const draw::Item &item, const Tile &t
             if (!(clip[3] > 0.1) || x < double(tile.left) || x > double(tile.right) || y < double(tile.bottom) ||
                 y > double(tile.top))
                 continue;
-            uint32_t part = 0;
-            const uint32_t *firsts = surface.part_offsets.data() + surface.part_offsets.size() - (parts + 1);
-            while (part + 1 < parts && firsts[part + 1] <= i) ++part;
+            uint32_t part = 0;  // a surface of one part has no offsets
+            const size_t before =
+                surface.part_offsets.size() - std::min<size_t>(surface.part_offsets.size(), parts + 1);
+            while (part + 1 < parts && surface.part_offsets[before + part + 1] <= i) ++part;
             found |= uint64_t(1) << part;
         }
     return found;

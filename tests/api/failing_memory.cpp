@@ -72,10 +72,17 @@ bool refuse(bool host)
 #if defined(WITHOUT_MALLOC)
 void *plain(size_t bytes, size_t alignment)
 {
-    if (alignment <= alignof(std::max_align_t)) return std::malloc(bytes ? bytes : 1);
-    return std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+    void *memory = alignment <= alignof(std::max_align_t)
+                       ? std::malloc(bytes ? bytes : 1)
+                       : std::aligned_alloc(alignment, (bytes + alignment) / alignment * alignment);
+    blocks_held += memory != nullptr;
+    return memory;
 }
-void plain_free(void *memory) { std::free(memory); }
+void plain_free(void *memory)
+{
+    blocks_held -= memory != nullptr;
+    std::free(memory);
+}
 #else
 void *plain(size_t bytes, size_t alignment)
 {
@@ -146,6 +153,14 @@ void *operator new(size_t bytes, std::align_val_t alignment) { return new_or_thr
 void *operator new[](size_t bytes, std::align_val_t alignment) { return new_or_throw(bytes, size_t(alignment)); }
 void *operator new(size_t bytes, const std::nothrow_t &) noexcept { return refuse(false) ? nullptr : plain(bytes, 1); }
 void *operator new[](size_t bytes, const std::nothrow_t &tag) noexcept { return operator new(bytes, tag); }
+void *operator new(size_t bytes, std::align_val_t alignment, const std::nothrow_t &) noexcept
+{
+    return refuse(false) ? nullptr : plain(bytes, size_t(alignment));
+}
+void *operator new[](size_t bytes, std::align_val_t alignment, const std::nothrow_t &tag) noexcept
+{
+    return operator new(bytes, alignment, tag);
+}
 // GCC does not see that operator new above takes its memory from malloc.
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void operator delete(void *memory) noexcept { plain_free(memory); }

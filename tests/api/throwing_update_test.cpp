@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/api/calls.h"
+#include "tests/api/seen_bytes.h"
 #include "tests/api/test_world.h"
 #include "tests/api/throwing_host.h"
 
@@ -118,8 +119,8 @@ private:
 // Everything that a host can see of a crowd after an update.
 std::string seen(const Stage &stage)
 {
-    std::string all;
-    const auto add = [&all](const auto &value) { all.append(reinterpret_cast<const char *>(&value), sizeof value); };
+    api_test::SeenBytes all;
+    const auto add = [&all](const auto &value) { all.add(value); };
     add(clq_crowd_get_hash(stage.crowd));
     clq_crowd_stats stats = clq_crowd_stats_init();
     EXPECT_EQ(clq_crowd_get_stats(stage.crowd, &stats), CLQ_OK);
@@ -146,7 +147,7 @@ std::string seen(const Stage &stage)
             add(vertices);
         }
     }
-    return all;
+    return all.all;
 }
 
 std::string pictures(const Stage &stage)

@@ -54,6 +54,14 @@ void *operator new(size_t size, align_val_t alignment) { return take(size, size_
 void *operator new[](size_t size, align_val_t alignment) { return take(size, size_t(alignment)); }
 void *operator new(size_t size, const nothrow_t &) noexcept { return take_or_null(size); }
 void *operator new[](size_t size, const nothrow_t &) noexcept { return take_or_null(size); }
+void *operator new(size_t size, align_val_t alignment, const nothrow_t &) noexcept
+{
+    return take_or_null(size, size_t(alignment));
+}
+void *operator new[](size_t size, align_val_t alignment, const nothrow_t &) noexcept
+{
+    return take_or_null(size, size_t(alignment));
+}
 void operator delete(void *block) noexcept { give(block); }
 void operator delete[](void *block) noexcept { give(block); }
 void operator delete(void *block, size_t) noexcept { give(block); }
