@@ -14,7 +14,7 @@ help:
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
-	@echo "make ci         make test, then the readers, the C API and the fuzz corpora under sanitizers"
+	@echo "make ci         make test, readers, C API and corpora under sanitizers, fuzzers, ten mutants (.ci/run)"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"

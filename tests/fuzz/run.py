@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""run.py [--merge] [SECONDS [NAME...]]: builds the fuzzers (preset fuzz), runs each for SECONDS of CPU time (default
-20) from its corpus and its seeds, and prints one table. Exits with 1 if a fuzzer found something; the input is then in
-out/fuzz. --merge writes the smallest set of inputs with the same coverage to tests/fuzz/corpus. See README.md."""
+"""run.py [--merge] [--seed N] [SECONDS [NAME...]]: builds the fuzzers (preset fuzz), runs each for SECONDS of CPU
+time (default 20) from its corpus and its seeds, as many at once as JOBS says, and prints one table. --seed makes runs
+alike. Exits with 1 if a fuzzer found something; the input is then in out/fuzz. --merge writes the smallest set of
+inputs with the same coverage to tests/fuzz/corpus. See README.md."""
 import os
 import re
 import shutil
@@ -9,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 BUILD = os.path.join(ROOT, 'build', 'fuzz')
@@ -39,12 +41,16 @@ def why_not():
     return '' if probe.returncode == 0 else 'skipped: the fuzzers need libFuzzer (apt-get install libclang-rt-14-dev)'
 
 
+def jobs():
+    return int(os.environ.get('JOBS') or os.cpu_count())
+
+
 def build(names):
     os.makedirs(os.path.join(ROOT, 'build'), exist_ok=True)
     commands = [['cmake', '--preset', 'fuzz']] if not os.path.exists(os.path.join(BUILD, 'build.ninja')) else []
     targets = ['fuzz_' + name for name in names] + ['fuzz_seeds']
     commands.append(
-        ['cmake', '--build', BUILD, '-j', os.environ.get('JOBS', str(os.cpu_count())), '--target'] + targets
+        ['cmake', '--build', BUILD, '-j', str(jobs()), '--target'] + targets
     )
     for command in commands:
         done = subprocess.run(command, cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
@@ -74,8 +80,8 @@ def options(name):
     return LIMITS + (['-dict=' + words] if os.path.exists(words) else [])
 
 
-def fuzz(name, seconds):
-    """Returns a row of the table."""
+def fuzz(name, seconds, seed):
+    """Returns a row of the table. Seed 0 is another one each time."""
     log_path, kept = os.path.join(OUT, name + '.log'), os.path.join(OUT, name + '-')
     for old in os.listdir(OUT):
         if re.match(re.escape(name) + '-(crash|leak|timeout|oom)-', old):
@@ -83,7 +89,7 @@ def fuzz(name, seconds):
     environment = dict(os.environ, ASAN_OPTIONS='detect_odr_violation=0:allocator_may_return_null=1')
     with open(log_path, 'w') as log:
         process = subprocess.Popen(
-            [program(name), '-artifact_prefix=' + kept] + options(name) + folders(name),
+            [program(name), '-artifact_prefix=' + kept, '-seed=%d' % seed] + options(name) + folders(name),
             cwd=OUT,
             stdout=log,
             stderr=subprocess.STDOUT,
@@ -143,6 +149,11 @@ def merge(name):
 def main(arguments):
     merging = '--merge' in arguments
     arguments = [a for a in arguments if a != '--merge']
+    seed = 0
+    if '--seed' in arguments:
+        at = arguments.index('--seed')
+        seed = int(arguments[at + 1])
+        del arguments[at : at + 2]
     seconds = float(arguments.pop(0)) if arguments and re.fullmatch(r'[0-9.]+', arguments[0]) else 20
     with open(os.path.join(ROOT, 'tests', 'fuzz', 'CMakeLists.txt')) as lists:
         known = re.search(r'set\(fuzzers ([^)]*)\)', lists.read()).group(1).split()
@@ -161,7 +172,8 @@ def main(arguments):
         for name in names:
             merge(name)
         return 0
-    rows = [fuzz(name, seconds) for name in names]
+    with ThreadPoolExecutor(jobs()) as pool:
+        rows = list(pool.map(lambda name: fuzz(name, seconds, seed), names))
     for row in [['fuzzer', 'seconds', 'executions', 'edges', 'features', 'findings (in out/fuzz)']] + rows:
         print('%-9s %8s %11s %7s %9s  %s' % tuple(row))
     return 1 if any(row[-1] != '-' for row in rows) else 0
