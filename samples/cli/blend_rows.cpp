@@ -87,7 +87,7 @@ BlendRow layer_row(const clq_template *tmpl, const NamedClip &over, const NamedC
     BlendRow row;
     row.label = kind == CLQ_LAYER_ADD ? "added" : "masked";
     row.about = layer.name + (kind == CLQ_LAYER_ADD ? " added to " : " over ") + over.name + " from " + options.node +
-                " from its node on, within " + seconds(fade_s);
+                " on within " + seconds(fade_s);
     row.times_s = evenly(0, last_s, options.phases);
     row.command = [=](clq_crowd *crowd, clq_actor actor) {
         const clq_play play = play_of(over, 0);

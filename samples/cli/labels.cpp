@@ -23,11 +23,12 @@ void choose_subject(const CLI::App &command, const std::string &subject, LabelAr
     if (is_scenario) a.setup.scenario = subject;
     const bool walks = !subject.empty() && !is_scene && !is_scenario;
     if (walks && !names_trajectories(subject))
-        throw CLI::ValidationError("WHAT", fs::is_regular_file(subject)
-                                               ? subject +
-                                                     " is a character; labels are of scenes, scenarios (TOML) "
-                                                     "and files of trajectories"
-                                               : subject + " is no scene, and no file of that name exists");
+        throw CLI::ValidationError(
+            "WHAT", fs::is_regular_file(subject)
+                        ? subject +
+                              " is a character; labels are of scenes, scenarios (TOML) "
+                              "and files of trajectories"
+                        : subject + " is no scene, and no file of that name exists; scenes are " + list_of_scenes());
     if (!walks) refuse_track_options(command);
     read_scenario(a.setup);
     if (walks) a.tracks.file = subject, a.setup.described = scenario_of(a.tracks);

@@ -90,6 +90,14 @@ CLI::IsMember scene_names()
     return CLI::IsMember(names);
 }
 
+std::string list_of_scenes()
+{
+    std::string names;
+    for (const scenes::SceneEntry &entry : scenes::scene_entries())
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    return names;
+}
+
 int thread_count(const SceneArguments &a)
 {
     return a.threads > 0 ? a.threads : processes::is_scheduled() ? 1 : core_count();

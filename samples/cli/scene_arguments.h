@@ -71,6 +71,7 @@ void add_size_option(CLI::App &command, int &width, int &height);
 
 // Accepts the name of a scene.
 CLI::IsMember scene_names();
+std::string list_of_scenes();  // for sentences: plaza, odeon, ...
 
 int thread_count(const SceneArguments &arguments);
 int core_count();  // available to threads: [1, 256]

@@ -2,6 +2,7 @@
 #include "samples/view/view.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 #include "samples/cli/command.h"
@@ -10,6 +11,7 @@
 #include "samples/cli/view_open.h"
 #include "samples/io/png.h"
 #include "samples/processes/machine_share.h"
+#include "samples/scenes/library.h"
 
 namespace cli
 {
@@ -150,9 +152,21 @@ int subjects_of(const ViewWhat &what)
            !what.tracks.file.empty();
 }
 
+// A name without an ending is a scene's or a character's.
+void expect_known(const std::string &name)
+{
+    if (name.find_first_of("./") != std::string::npos || scene_names()(name).empty() || scenes::is_builtin(name) ||
+        std::filesystem::exists(name))
+        return;
+    throw CLI::ValidationError("FILE", name + " is no scene (" + list_of_scenes() +
+                                           "), no built-in character (citizen, patrician, decurion, plebeian, herald, "
+                                           "owl), and no file of that name exists");
+}
+
 // First what is shown, then what changes it.
 void take_files(ViewArguments &a)
 {
+    for (const std::string &file : a.files) expect_known(file);
     std::stable_partition(a.files.begin(), a.files.end(), is_subject);
     int subjects = subjects_of(a.what);
     for (const std::string &file : a.files) {

@@ -73,7 +73,8 @@ TEST_F(LabelSubjects, ThatAreNothingAreNamed)
 {
     Outcome outcome = label("none", {"plazza"});
     EXPECT_EQ(outcome.code, 2);
-    EXPECT_NE(outcome.err.find("plazza is no scene, and no file of that name exists"), std::string::npos)
+    EXPECT_NE(outcome.err.find("plazza is no scene, and no file of that name exists; scenes are plaza, odeon,"),
+              std::string::npos)
         << outcome.err;
     outcome = label("none", {"plaza"}, {"--rate", "10"});
     EXPECT_EQ(outcome.code, 2);

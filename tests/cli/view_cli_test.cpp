@@ -102,6 +102,9 @@ TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
     EXPECT_NE(said({path("old.fbx")}, 1).find("claque convert " + path("old.fbx")), std::string::npos);
     const std::string clips = written::folder() + "WrittenClips.glb";
     EXPECT_NE(said({clips}, 1).find("--clips " + clips + " adds them"), std::string::npos);
+    const std::string unknown = said({"plazza"}, 2);
+    EXPECT_NE(unknown.find("plazza is no scene (plaza, odeon,"), std::string::npos) << unknown;
+    EXPECT_NE(unknown.find("no built-in character (citizen,"), std::string::npos) << unknown;
     EXPECT_NE(said({"citizen", "plaza"}, 2).find("'plaza' is one more"), std::string::npos);
     EXPECT_NE(said({"citizen", "--scene", "plaza"}, 2).find("'citizen' is one more"), std::string::npos);
 }
