@@ -20,11 +20,11 @@ struct Field {
     Field(scenes::Library &library, clq_template *citizen, uint32_t count, bool coloured, double aspect)
         : cast(library, scenes::CrowdOptions())
     {
-        for (uint32_t who = 0; who < count; ++who) {
+        for (uint32_t person = 0; person < count; ++person) {
             clq_play play = clq_play_init();
             play.clip = clq_template_find_clip(citizen, "stand");
-            play.phase_s = 0.1f * static_cast<float>(who % 37);
-            const double x = 1.2 * (who % across - 0.5 * (across - 1)), z = -1.2 * (who / across);
+            play.phase_s = 0.1f * static_cast<float>(person % 37);
+            const double x = 1.2 * (person % across - 0.5 * (across - 1)), z = -1.2 * (person / across);
             cast.enter({citizen, scenes::stand(x, 0, z, 0, 1, 1), play});
         }
         if (!coloured) {

@@ -29,10 +29,10 @@ struct GrowthField {
         clq_template *citizen = library.builtin("citizen");
         clq_group behind = {};
         if (rest == Rest::grouped) scenes::check(clq_group_create(cast.crowd(), nullptr, &behind));
-        for (uint32_t who = 0; who < count; ++who) {
-            const bool ahead = view == View::number && who < kept_in_view;
-            const double turn = random_unit(7, who, Purpose::heading),
-                         away = 8 + field_m * std::sqrt(random_unit(7, who, Purpose::radius));
+        for (uint32_t person = 0; person < count; ++person) {
+            const bool ahead = view == View::number && person < kept_in_view;
+            const double turn = random_unit(7, person, Purpose::heading),
+                         away = 8 + field_m * std::sqrt(random_unit(7, person, Purpose::radius));
             constexpr double tau = 2 * 3.14159265358979323846;
             const double angle = ahead ? 0.5 * (turn - 0.5) : tau * turn;
             // Those behind stand on a disc of their own, so that their group's bounding sphere is behind as well.
@@ -40,7 +40,7 @@ struct GrowthField {
             clq_play play = {};
             play.clip = clq_template_find_clip(citizen, "stand");
             play.speed = 1;
-            play.phase_s = static_cast<float>(random_unit(7, who, Purpose::phase));
+            play.phase_s = static_cast<float>(random_unit(7, person, Purpose::phase));
             cast.enter(
                 {citizen, scenes::stand(-away * std::sin(angle), 0, back - away * std::cos(angle), 0, 1, 1), play});
             if (rest == Rest::grouped && !ahead)

@@ -24,9 +24,9 @@ using Bins = std::vector<clq_key_pose_bin>;
 uint32_t normal_pose(uint64_t crowd, uint64_t draw)
 {
     for (uint64_t again = 0;; ++again) {
-        const uint64_t who = (draw << 8) + again;
-        const double u = scenes::random_unit(crowd, who, scenes::Purpose::place_x),
-                     v = scenes::random_unit(crowd, who, scenes::Purpose::place_z);
+        const uint64_t person = (draw << 8) + again;
+        const double u = scenes::random_unit(crowd, person, scenes::Purpose::place_x),
+                     v = scenes::random_unit(crowd, person, scenes::Purpose::place_z);
         const double normal = std::sqrt(-2 * std::log(1 - u)) * std::cos(2 * 3.14159265358979323846 * v);
         const double pose = std::floor(poses / 2.0 + normal * poses / 6.0);
         if (pose >= 0 && pose < poses) return static_cast<uint32_t>(pose);
@@ -36,10 +36,10 @@ uint32_t normal_pose(uint64_t crowd, uint64_t draw)
 Bins draw(uint64_t crowd)
 {
     Bins bins;
-    for (uint32_t who = 0; who < character_count; ++who) {
-        const uint32_t a = normal_pose(crowd, 1000 * who);
+    for (uint32_t person = 0; person < character_count; ++person) {
+        const uint32_t a = normal_pose(crowd, 1000 * person);
         uint32_t b = a;
-        for (uint64_t k = 1; b == a; ++k) b = normal_pose(crowd, 1000 * who + k);
+        for (uint64_t k = 1; b == a; ++k) b = normal_pose(crowd, 1000 * person + k);
         const clq_key_pose_bin bin = {std::min(a, b), std::max(a, b), 1};
         bool found = false;
         for (clq_key_pose_bin &one : bins)

@@ -59,18 +59,18 @@ struct ServedField {
 void play(ServedField &field, uint64_t seed, uint32_t turn)
 {
     const uint32_t open = turn == 0 ? 5 : std::min(turn, 5u);
-    for (uint32_t who = 0; who < field.actors.size(); ++who) {
+    for (uint32_t person = 0; person < field.actors.size(); ++person) {
         clq_actor_info info = clq_actor_info_init();
-        scenes::check(clq_actor_get_info(field.scene->crowd(), field.actors[who], &info));
-        const uint64_t bits = scenes::random_bits(seed + turn, who, scenes::Purpose::act);
+        scenes::check(clq_actor_get_info(field.scene->crowd(), field.actors[person], &info));
+        const uint64_t bits = scenes::random_bits(seed + turn, person, scenes::Purpose::act);
         clq_play play = {};
         play.clip = clq_template_find_clip(info.tmpl, multitude_clips()[bits % open].c_str());
         play.speed = 1;
         clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_template_get_clip(info.tmpl, play.clip, &clip));
-        play.phase_s = static_cast<float>(scenes::random_unit(seed + turn, who, scenes::Purpose::phase) *
+        play.phase_s = static_cast<float>(scenes::random_unit(seed + turn, person, scenes::Purpose::phase) *
                                           static_cast<double>(clip.duration_s));
-        scenes::check(clq_actor_play(field.scene->crowd(), field.actors[who], &play));
+        scenes::check(clq_actor_play(field.scene->crowd(), field.actors[person], &play));
     }
 }
 

@@ -65,14 +65,14 @@ void write_operations(const BenchArguments &a)
     scenes::Library library(thread_count(a.setup));
     const Run actor = run(library, a, CLQ_CULL_ACTOR, LevelChoice::by_distance);
     std::string picture = actor.picture;
-    const std::string who = std::to_string(a.counts.front()) + " actors";
+    const std::string person = std::to_string(a.counts.front()) + " actors";
     expect_same_picture(picture, run(library, a, CLQ_CULL_TRADITIONAL, LevelChoice::by_distance).picture,
-                        who + " culled in mode traditional");
+                        person + " culled in mode traditional");
     cost::Measured measured;
     measured.actor = actor.counts;
     measured.shares = actor.shares;
     measured.traditional = run(library, a, CLQ_CULL_TRADITIONAL, LevelChoice::finest).counts;
-    measured.note = "scene " + scene_of(a.setup) + ", " + who + ", means of " + std::to_string(a.frames) +
+    measured.note = "scene " + scene_of(a.setup) + ", " + person + ", means of " + std::to_string(a.frames) +
                     " frames at 25 a second, parts placed by " +
                     (a.setup.rigid_mode == "matrices" ? "OpenGL" : "claque") + "; traditional: all at its finest";
     write_whole(a.operations, json_of(measured));

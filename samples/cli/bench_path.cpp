@@ -79,7 +79,7 @@ class Race
 public:
     Race(const BenchArguments &a, scenes::Library &library, Progress &progress) : a_(a)
     {
-        const LoadedCharacter nobody;
+        const LoadedCharacter none;
         for (const std::string &lod : a.lods)
             for (const std::string &cache : a.caches) {
                 // Reports name levels where there are people without them too.
@@ -89,7 +89,7 @@ public:
                 SceneArguments arguments = a.setup;
                 arguments.cache = cache;
                 arguments.lod = lod;
-                const scenes::SceneOptions options = scene_options(arguments, nobody);
+                const scenes::SceneOptions options = scene_options(arguments, none);
                 rivals_.push_back(
                     {label, picture_of(cache) + form, std::make_unique<scenes::SceneRenderer>(library, options), {}});
                 // The first draws of a renderer cost more than later ones.

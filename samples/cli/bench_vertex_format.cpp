@@ -57,14 +57,14 @@ void frame(VertexFormatRival &rival, double time_s)
 
 Json run(const BenchArguments &a, scenes::Library &library, const Shown &what)
 {
-    const LoadedCharacter nobody;
+    const LoadedCharacter none;
     VertexFormatRival rivals[2];
     for (int g = 0; g < 2; ++g) {
         SceneArguments arguments = a.setup;
         arguments.scene = what.scene;
         arguments.camera = what.camera;
         arguments.vertex_format = geometries[g];
-        rivals[g].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, scene_options(arguments, nobody));
+        rivals[g].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, scene_options(arguments, none));
         rivals[g].scene_renderer->update(1);
         rivals[g].scene_renderer->draw_environment();
         rivals[g].scene_renderer->draw_crowd();

@@ -147,17 +147,18 @@ void CityCrowd::people(const CityOptions &options, uint32_t each_way)
                               clq_template_find_clip(h.citizen.get(), "stand_look"),
                               clq_template_find_clip(h.citizen.get(), "stand_shift")};
     const uint32_t side = static_cast<uint32_t>(std::ceil(std::sqrt(static_cast<double>(options.in_view))));
-    for (uint32_t who = 0; who < options.count; ++who) {
-        const auto unit = [&](Purpose purpose) { return scenes::random_unit(seed, who, purpose); };
+    for (uint32_t person = 0; person < options.count; ++person) {
+        const auto unit = [&](Purpose purpose) { return scenes::random_unit(seed, person, purpose); };
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = h.citizen.get();
-        def.seed = who;
-        def.play.clip = clips[scenes::random_bits(seed, who, Purpose::clip) % 3];
+        def.seed = person;
+        def.play.clip = clips[scenes::random_bits(seed, person, Purpose::clip) % 3];
         def.play.phase_s = static_cast<float>(6 * unit(Purpose::phase));
-        const bool outside = who >= options.in_view;
+        const bool outside = person >= options.in_view;
         const uint32_t block =
             static_cast<uint32_t>(unit(Purpose::seat) * static_cast<double>(each_way) * static_cast<double>(each_way));
-        double x = (who % std::max(side, 1u) - side / 2.0) * square_m, z = -12 - who / std::max(side, 1u) * square_m;
+        double x = (person % std::max(side, 1u) - side / 2.0) * square_m,
+               z = -12 - person / std::max(side, 1u) * square_m;
         if (outside) {
             // Round a block: a place along its four sides.
             const double along = 4 * unit(Purpose::place_x),
@@ -174,10 +175,10 @@ void CityCrowd::people(const CityOptions &options, uint32_t each_way)
         clq_actor actor = {};
         check(clq_actor_create(h.crowd.get(), &def, &actor));
         check(clq_actor_randomise_colours(h.crowd.get(), actor, nullptr, 0));
-        if (outside && who % 10 == 0)
-            check(clq_actor_follow_track(h.crowd.get(), actor,
-                                         h.tracks[scenes::random_bits(seed, who, Purpose::row) % h.tracks.size()].get(),
-                                         -(track_s - 60) * unit(Purpose::speed)));
+        if (outside && person % 10 == 0)
+            check(clq_actor_follow_track(
+                h.crowd.get(), actor, h.tracks[scenes::random_bits(seed, person, Purpose::row) % h.tracks.size()].get(),
+                -(track_s - 60) * unit(Purpose::speed)));
         else if (outside && options.grouped) check(clq_actor_join(h.crowd.get(), actor, groups[block], nullptr));
     }
 }

@@ -14,7 +14,7 @@ namespace
 
 constexpr int swatch_gap_px = 2, letter_scale = 2, swatch_label_px = (letter_height + 5) * letter_scale;
 
-using Colouring = std::function<void(clq_crowd *, clq_actor, uint32_t who)>;
+using Colouring = std::function<void(clq_crowd *, clq_actor, uint32_t person)>;
 
 clq_colour_map_def def_of(const clq_colour_map *map)
 {
@@ -31,7 +31,7 @@ LoadedCharacter wearer_of(scenes::Library &library, const clq_colour_class &colo
 }
 
 // Picks every channel of every zone at random, which HSB ranges exist to prevent.
-void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t who)
+void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t person)
 {
     clq_actor_info info = clq_actor_info_init();
     clq_template_info tmpl = clq_template_info_init();
@@ -39,7 +39,7 @@ void colour_at_random(clq_crowd *crowd, clq_actor actor, uint64_t seed, uint32_t
     scenes::check(clq_template_get_info(info.tmpl, &tmpl));
     std::vector<float> rgb(3 * static_cast<size_t>(tmpl.zone_count));
     for (size_t i = 0; i < rgb.size(); ++i)
-        rgb[i] = static_cast<float>(scenes::random_unit(seed, rgb.size() * who + i, scenes::Purpose::tone));
+        rgb[i] = static_cast<float>(scenes::random_unit(seed, rgb.size() * person + i, scenes::Purpose::tone));
     scenes::check(clq_actor_set_colours(crowd, actor, rgb.data(), tmpl.zone_count));
 }
 
@@ -88,11 +88,11 @@ ColourPicture classes_picture(scenes::Library &library, const clq_colour_map *ma
         Portraits portraits(library, worn, seed);
         rows.resize(portraits);
         rows.label(static_cast<int>(c), def.classes[c].name);
-        for (uint32_t who = 0; who < each; ++who) {
+        for (uint32_t person = 0; person < each; ++person) {
             const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
                 scenes::check(clq_crowd_randomise_colours(crowd, map, c, &actor, 1));
             };
-            rows.paste(static_cast<int>(c), static_cast<int>(who), portraits.picture(who, dress, 0));
+            rows.paste(static_cast<int>(c), static_cast<int>(person), portraits.picture(person, dress, 0));
         }
         context = portraits.context_name();
     }
@@ -111,16 +111,16 @@ ColourPicture comparison_picture(scenes::Library &library, const clq_colour_map 
         const LoadedCharacter worn = wearer_of(library, def.classes[c]);
         Portraits portraits(library, worn, seed);
         rows.resize(portraits);
-        for (uint32_t who = 0; who < each; ++who) {
-            const int column = static_cast<int>(c * each + who);
+        for (uint32_t person = 0; person < each; ++person) {
+            const int column = static_cast<int>(c * each + person);
             const auto at_random = [&](clq_crowd *crowd, clq_actor actor) {
-                colour_at_random(crowd, actor, seed, c * each + who);
+                colour_at_random(crowd, actor, seed, c * each + person);
             };
             const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
                 scenes::check(clq_crowd_randomise_colours(crowd, map, c, &actor, 1));
             };
-            rows.paste(0, column, portraits.picture(who, at_random, 0));
-            rows.paste(1, column, portraits.picture(who, dress, 0));
+            rows.paste(0, column, portraits.picture(person, at_random, 0));
+            rows.paste(1, column, portraits.picture(person, dress, 0));
         }
         context = portraits.context_name();
     }

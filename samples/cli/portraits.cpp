@@ -178,13 +178,13 @@ float Portraits::lod_scale(const clq_camera &seen) const
     return static_cast<float>(wanted / away);
 }
 
-const std::vector<uint8_t> &Portraits::picture(uint32_t who)
+const std::vector<uint8_t> &Portraits::picture(uint32_t person)
 {
     return picture(
-        who, [](clq_crowd *, clq_actor) {}, 0);
+        person, [](clq_crowd *, clq_actor) {}, 0);
 }
 
-const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &command, double time_s)
+const std::vector<uint8_t> &Portraits::picture(uint32_t person, const Command &command, double time_s)
 {
     scenes::CrowdOptions crowd_options;
     const clq_camera seen = camera();
@@ -193,7 +193,7 @@ const std::vector<uint8_t> &Portraits::picture(uint32_t who, const Command &comm
     crowd_options.lod_scale = lod_scale(seen);
     scenes::SceneCrowd cast(library_, crowd_options);
     const clq_transform place = scenes::stand(0, 0, 0, turn_x_, turn_z_, static_cast<float>(extents_.scale));
-    cast.enter({loaded_.tmpl.get(), place, pose()}, who, {});
+    cast.enter({loaded_.tmpl.get(), place, pose()}, person, {});
     command(cast.crowd(), cast.actors()[0]);
     clq_view *made = nullptr;
     check(clq_view_create(cast.crowd(), &made));

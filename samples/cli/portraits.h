@@ -45,10 +45,10 @@ public:
     const std::string &context_name() const { return offscreen_->name(); }
 
     // Three bytes a pixel, top row first, valid until the next call. Call resize() first.
-    const std::vector<uint8_t> &picture(uint32_t who);
+    const std::vector<uint8_t> &picture(uint32_t person);
     // At a time after a command.
     using Command = std::function<void(clq_crowd *, clq_actor)>;
-    const std::vector<uint8_t> &picture(uint32_t who, const Command &command, double time_s);
+    const std::vector<uint8_t> &picture(uint32_t person, const Command &command, double time_s);
 
 private:
     clq_play pose() const;

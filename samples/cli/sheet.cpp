@@ -70,8 +70,8 @@ void draw_sheet(const SheetArguments &a)
     if (!a.json.empty()) expect_writable(a.json);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
-    const LoadedCharacter nobody;
-    const scenes::SceneOptions options = scene_options(a.setup, nobody);
+    const LoadedCharacter none;
+    const scenes::SceneOptions options = scene_options(a.setup, none);
     const std::vector<scenes::PathSection> &sections = options.path->sections();
     if (sections.empty()) throw scenes::Failure(a.setup.path + ": the camera path has no sections to show");
     scenes::SceneRenderer scene_renderer(library, options);

@@ -15,7 +15,7 @@ struct TrackArguments {
 
 // --columns, --rate, --unit, --up, --max-speed, --vehicles: how a file is read.
 void add_reading_options(CLI::App &command, TrackArguments &arguments);
-// --characters, --ground: who walks, and on what.
+// --characters, --ground: the characters that walk, and the ground below them.
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 // Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.
 void refuse_track_options(const CLI::App &command);

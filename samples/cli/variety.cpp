@@ -178,10 +178,10 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
     const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
         if (worn.map) scenes::check(clq_crowd_randomise_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
     };
-    for (uint32_t who = 0; who < count; ++who) {
-        const int column = static_cast<int>(who) % grid.columns, row = static_cast<int>(who) / grid.columns;
+    for (uint32_t person = 0; person < count; ++person) {
+        const int column = static_cast<int>(person) % grid.columns, row = static_cast<int>(person) / grid.columns;
         board.paste(box.x + column * (grid.width + person_gap_px), box.y + row * (grid.height + person_gap_px),
-                    grid.width, grid.height, portraits.picture(who, dress, 0));
+                    grid.width, grid.height, portraits.picture(person, dress, 0));
     }
 }
 

@@ -1,4 +1,4 @@
-/* A square full of people is asked who is where: the neighbours of a point, those in a category, those whom a camera
+/* A square full of people is searched: the neighbours of a point, those in a category, those whom a camera
  * sees, the order of the host's own, and the person under the mouse. Answers follow people as they move. */
 #include <claque/assets.h>
 

@@ -24,8 +24,8 @@ template <class Array>
 bool both_have(const Array &reference, const Array &result, const char *group, const char *file, Comparison &out)
 {
     if (reference && result) return true;
-    const char *who = reference ? "the result has" : result ? "the reference has" : "neither has";
-    out.not_compared.push_back({group, std::string(who) + (reference || result ? " no " : " ") + file});
+    const char *person = reference ? "the result has" : result ? "the reference has" : "neither has";
+    out.not_compared.push_back({group, std::string(person) + (reference || result ? " no " : " ") + file});
     return false;
 }
 

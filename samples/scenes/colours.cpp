@@ -27,15 +27,16 @@ std::vector<Group> groups_of(const Scene &scene, const clq_colour_map *map)
     std::vector<Group> groups;
     const SocialClasses *social = dynamic_cast<const SocialClasses *>(&scene);
     const std::vector<clq_actor> actors = scene.actors();
-    for (size_t who = 0; who < actors.size(); ++who) {
+    for (size_t person = 0; person < actors.size(); ++person) {
         clq_actor_info actor = clq_actor_info_init();
-        check(clq_actor_get_info(scene.crowd(), actors[who], &actor));
-        const uint32_t own = class_for(map, social ? social->class_of(who) : std::string(), info_of(actor.tmpl).name);
+        check(clq_actor_get_info(scene.crowd(), actors[person], &actor));
+        const uint32_t own =
+            class_for(map, social ? social->class_of(person) : std::string(), info_of(actor.tmpl).name);
         if (own == CLQ_NONE) continue;
         size_t i = 0;
         while (i < groups.size() && (groups[i].colour_class != own || groups[i].tmpl != actor.tmpl)) ++i;
         if (i == groups.size()) groups.push_back({own, actor.tmpl, {}});
-        groups[i].actors.push_back(actors[who]);
+        groups[i].actors.push_back(actors[person]);
     }
     return groups;
 }

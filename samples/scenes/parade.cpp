@@ -170,28 +170,28 @@ private:
         std::copy(last, last + 3, character_.box_max);
     }
 
-    clq_play play(uint32_t who) const
+    clq_play play(uint32_t person) const
     {
         clq_play play = {};
         const uint32_t first = std::min(character_.first_clip, info_.clip_count);
-        play.clip = info_.clip_count > first ? first + who % (info_.clip_count - first) : CLQ_NONE;
-        play.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.9, 1.1));
+        play.clip = info_.clip_count > first ? first + person % (info_.clip_count - first) : CLQ_NONE;
+        play.speed = static_cast<float>(random_between(seed_, person, Purpose::speed, 0.9, 1.1));
         clq_clip_info clip = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)
-            play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * clip.duration_s);
+            play.phase_s = static_cast<float>(random_unit(seed_, person, Purpose::phase) * clip.duration_s);
         return play;
     }
 
-    void enter(uint32_t who, uint32_t count)
+    void enter(uint32_t person, uint32_t count)
     {
-        const int row = static_cast<int>(who) / columns_, column = static_cast<int>(who) % columns_;
+        const int row = static_cast<int>(person) / columns_, column = static_cast<int>(person) % columns_;
         const int here = std::min(columns_, static_cast<int>(count) - row * columns_);  // the last row is centred too
         const double x =
             (column - (here - 1) * 0.5) * across_ + (row % 2 == 1 && here == columns_ ? across_ * 0.25 : 0);
         const double z = -row * deep_;
         clq_transform place =
             stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
-        scene_crowd_.enter({character_.tmpl, place, play(who)});
+        scene_crowd_.enter({character_.tmpl, place, play(person)});
         // Leaves out spread arms of the rest pose, whose shadow is negligible.
         const double body = std::max(extent_.half_z, 0.22 * extent_.height);
         const float rx = static_cast<float>(std::min(extent_.half_x, body) * 1.25 + 0.12);

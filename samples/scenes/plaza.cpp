@@ -110,25 +110,25 @@ private:
         return citizen_stride_m / static_cast<double>(walk.duration_s);
     }
 
-    float size_of(size_t who) const
+    float size_of(size_t person) const
     {
-        return static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
+        return static_cast<float>(random_between(seed_, person, Purpose::size, 0.94, 1.06));
     }
 
-    clq_play play(const char *clip, double speed, size_t who) const
+    clq_play play(const char *clip, double speed, size_t person) const
     {
         clq_play play = {};
         play.clip = clq_template_find_clip(citizen_, clip);
         play.speed = static_cast<float>(speed);
         clq_clip_info info = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(citizen_, play.clip, &info) == CLQ_OK)
-            play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
+            play.phase_s = static_cast<float>(random_unit(seed_, person, Purpose::phase) * info.duration_s);
         return play;
     }
 
-    const char *clip_of(Standing::Role role, size_t who) const
+    const char *clip_of(Standing::Role role, size_t person) const
     {
-        const double share = random_unit(seed_, who, Purpose::clip);
+        const double share = random_unit(seed_, person, Purpose::clip);
         if (role == Standing::Role::speaker) return "cheer";
         if (role == Standing::Role::listener) return share < 0.60 ? "applaud" : share < 0.86 ? "cheer" : "stand";
         return share < 0.90 ? "stand" : "applaud";
@@ -136,19 +136,19 @@ private:
 
     void enter(const Standing &s)
     {
-        const size_t who = scene_crowd_.places().size();
-        const double speed = random_between(seed_, who, Purpose::speed, 0.9, 1.1);
-        scene_crowd_.enter({citizen_, stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(who)),
-                            play(clip_of(s.role, who), speed, who)});
+        const size_t person = scene_crowd_.places().size();
+        const double speed = random_between(seed_, person, Purpose::speed, 0.9, 1.1);
+        scene_crowd_.enter({citizen_, stand(s.x, s.y, s.z, s.facing_x, s.facing_z, size_of(person)),
+                            play(clip_of(s.role, person), speed, person)});
     }
 
     void enter(const Walking &w)
     {
-        const size_t who = scene_crowd_.places().size();
-        const float size = size_of(who);
+        const size_t person = scene_crowd_.places().size();
+        const float size = size_of(person);
         // All walkers of a lane have one speed; short people take more steps for it.
         const double speed = std::abs(layout_.lanes[w.lane].speed) / (walk_speed_ * size);
-        scene_crowd_.enter({citizen_, walked(w, 0, size), play("walk", speed, who)});
+        scene_crowd_.enter({citizen_, walked(w, 0, size), play("walk", speed, person)});
     }
 
     clq_transform walked(const Walking &w, double time_s, float size) const

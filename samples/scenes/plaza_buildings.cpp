@@ -175,9 +175,9 @@ void sheet(Geometry &g, float half_x, float half_z, float cell, float y, float t
         for (int column = 0; column <= columns; ++column) {
             const float x = half_x * static_cast<float>(2 * column - columns) / static_cast<float>(columns);
             const float z = half_z * static_cast<float>(2 * row - rows) / static_cast<float>(rows);
-            const uint64_t who = static_cast<uint64_t>(row) * 4096 + static_cast<uint64_t>(column);
+            const uint64_t tile = static_cast<uint64_t>(row) * 4096 + static_cast<uint64_t>(column);
             const uint32_t added =
-                g.add({x, y, z}, {0, 1, 0}, x / texture_metres, z / texture_metres, colour(x, z, who));
+                g.add({x, y, z}, {0, 1, 0}, x / texture_metres, z / texture_metres, colour(x, z, tile));
             if (row == 0 && column == 0) first = added;
         }
     for (int row = 0; row < rows; ++row)
@@ -193,8 +193,8 @@ void sheet(Geometry &g, float half_x, float half_z, float cell, float y, float t
 void pave(Geometry &ground, const PlazaLayout &layout, uint64_t seed)
 {
     const float half_x = static_cast<float>(layout.half_x) + 5, half_z = static_cast<float>(layout.half_z) + 24;
-    sheet(ground, half_x, half_z, 2.5f, 0, flagstone_metres, [&](float, float, uint64_t who) {
-        return Rgb{1.0f, 0.985f, 0.95f} * static_cast<float>(random_between(seed, who, Purpose::tone, 0.90, 1.0));
+    sheet(ground, half_x, half_z, 2.5f, 0, flagstone_metres, [&](float, float, uint64_t tile) {
+        return Rgb{1.0f, 0.985f, 0.95f} * static_cast<float>(random_between(seed, tile, Purpose::tone, 0.90, 1.0));
     });
 }
 
@@ -202,9 +202,9 @@ void grow(Geometry &field, const PlazaLayout &layout, uint64_t seed)
 {
     constexpr Rgb grass = {0.50f, 0.53f, 0.33f}, far_away = {0.66f, 0.72f, 0.62f};
     const float half = static_cast<float>(std::max(layout.half_x, layout.half_z)) + 260;
-    sheet(field, half, half, 11.0f, -0.08f, plaster_metres, [&](float x, float z, uint64_t who) {
+    sheet(field, half, half, 11.0f, -0.08f, plaster_metres, [&](float x, float z, uint64_t tile) {
         const float t = std::min(1.0f, std::sqrt(x * x + z * z) / half);
-        const float tone = static_cast<float>(random_between(seed, who, Purpose::tone, 0.85, 1.1)) * (1 - t) + t;
+        const float tone = static_cast<float>(random_between(seed, tile, Purpose::tone, 0.85, 1.1)) * (1 - t) + t;
         return Rgb{grass.r + (far_away.r - grass.r) * t, grass.g + (far_away.g - grass.g) * t,
                    grass.b + (far_away.b - grass.b) * t} *
                tone;

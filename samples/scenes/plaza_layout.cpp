@@ -70,8 +70,8 @@ private:
     void add(double x, double y, double z, double to_x, double to_z, Standing::Role role)
     {
         if (left() == 0) return;
-        const uint64_t who = plan_.standing.size();
-        const double turn = random_between(seed_, who, Purpose::heading, -0.22, 0.22);
+        const uint64_t person = plan_.standing.size();
+        const double turn = random_between(seed_, person, Purpose::heading, -0.22, 0.22);
         const double dx = to_x - x, dz = to_z - z;
         plan_.standing.push_back({x, y, z, dx + turn * dz, dz - turn * dx, role});
         room_.take(x, z);

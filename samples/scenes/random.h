@@ -31,9 +31,9 @@ enum class Purpose : uint32_t {
     gradient
 };
 
-inline uint64_t random_bits(uint64_t seed, uint64_t who, Purpose purpose)
+inline uint64_t random_bits(uint64_t seed, uint64_t id, Purpose purpose)
 {
-    uint64_t bits = seed * 0x9e3779b97f4a7c15u ^ (who + 1) * 0xd1b54a32d192ed03u ^
+    uint64_t bits = seed * 0x9e3779b97f4a7c15u ^ (id + 1) * 0xd1b54a32d192ed03u ^
                     (static_cast<uint64_t>(purpose) + 1) * 0x8cb92ba72f3d8dd7u;
     for (int round = 0; round < 2; ++round) {
         bits ^= bits >> 31;
@@ -46,14 +46,14 @@ inline uint64_t random_bits(uint64_t seed, uint64_t who, Purpose purpose)
 }
 
 // In [0, 1).
-inline double random_unit(uint64_t seed, uint64_t who, Purpose purpose)
+inline double random_unit(uint64_t seed, uint64_t id, Purpose purpose)
 {
-    return static_cast<double>(random_bits(seed, who, purpose) >> 11) * (1.0 / 9007199254740992.0);
+    return static_cast<double>(random_bits(seed, id, purpose) >> 11) * (1.0 / 9007199254740992.0);
 }
 
-inline double random_between(uint64_t seed, uint64_t who, Purpose purpose, double min, double max)
+inline double random_between(uint64_t seed, uint64_t id, Purpose purpose, double min, double max)
 {
-    return min + (max - min) * random_unit(seed, who, purpose);
+    return min + (max - min) * random_unit(seed, id, purpose);
 }
 
 }  // namespace scenes

@@ -64,7 +64,7 @@ public:
     // A time at which the most people are there.
     virtual double busiest_s() const { return 0; }
     // Whether a tile of a picture (SceneRenderer::show_tile) may leave out people who are not in it. Not where other
-    // things follow people's poses beyond their spheres, or where the scene acts on who is in view.
+    // things follow people's poses beyond their spheres, or where the scene acts on actors in view.
     virtual bool can_cull_by_tile() const { return true; }
     // From now on a scene that culls leaves out what does not meet a frustum of this fraction of the picture's.
     virtual void cull_by(double) {}

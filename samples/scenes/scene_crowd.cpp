@@ -48,7 +48,10 @@ void SceneCrowd::enter(const Part &part, uint64_t seed, const std::vector<clq_hs
                                       static_cast<uint32_t>(palette.size())));
 }
 
-void SceneCrowd::play(size_t who, const clq_play &play) { check(clq_actor_play(crowd_.get(), actors_[who], &play)); }
+void SceneCrowd::play(size_t person, const clq_play &play)
+{
+    check(clq_actor_play(crowd_.get(), actors_[person], &play));
+}
 
 void SceneCrowd::move()
 {

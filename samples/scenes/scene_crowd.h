@@ -45,8 +45,8 @@ public:
     void enter(const Part &part);
     // The same with a seed and ranges of colours (one for each zone of its template) of its own.
     void enter(const Part &part, uint64_t seed, const std::vector<clq_hsb_range> &palette);
-    // Starts another clip for number `who`.
-    void play(size_t who, const clq_play &play);
+    // Starts another clip for number `person`.
+    void play(size_t person, const clq_play &play);
     // Moves all individuals to `places()`.
     void move();
 

@@ -41,8 +41,8 @@ class SocialClasses
 {
 public:
     virtual ~SocialClasses() = default;
-    // The class name of number `who` of Scene::actors().
-    virtual std::string class_of(size_t who) const = 0;
+    // The class name of number `person` of Scene::actors().
+    virtual std::string class_of(size_t person) const = 0;
 };
 
 // The ranges of all zones of the template, with those of the class's palette in their places. Throws Failure if it has

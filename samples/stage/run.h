@@ -51,7 +51,7 @@ public:
     // The flow that draws: gives the crowd what is due. clq_crowd_update with the same time follows.
     void show(double time_s);
 
-    // In a run with a camera path: shows the times before time_s at which it looks who is in view of that camera.
+    // In a run with a camera path: shows the times before time_s at which it looks for agents in view of that camera.
     // `reach` is called with each of them before.
     void look(double time_s, const std::function<void(double)> &reach);
 

@@ -27,7 +27,7 @@ public:
     double next_s() const { return static_cast<double>(looks_) * every_s; }
     void look(const clq_camera &camera);  // at next_s()
 
-    // The flow of decisions: tells the stage who came into view or left it, up to the end of its next tick.
+    // The flow of decisions: tells the stage which agents came into view or left it, up to the end of its next tick.
     void tell(clq_stage *stage, const std::vector<clq_agent> &agents, double end_s);
     void came(uint32_t person) { in_view_[person] = true; }  // as its stage has it
 

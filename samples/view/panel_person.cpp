@@ -1,4 +1,4 @@
-// The individual that was picked: who it is, and how it was drawn.
+// The individual that was picked: its identity, and how it was drawn.
 #include <cmath>
 
 #include "samples/view/panels.h"

@@ -116,15 +116,15 @@ TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
 {
     const clq_mechanism blink = add(def(CLQ_MECHANISM_BLINK)), gaze = add(def(CLQ_MECHANISM_GAZE)),
                         expression = add(def(CLQ_MECHANISM_EXPRESSION)), phrase = add(def(CLQ_MECHANISM_PHRASE));
-    const clq_actor nobody = {7, 1};
+    const clq_actor no_one = {7, 1};
     const clq_mechanism_attachment good = {blink, 0, 0, 0}, unknown = {{9}, 0, 0, 0}, none = {{0}, 0, 0, 0},
                                    bad = {blink, NAN, 0, 0};
     const double point[3] = {0, 0, 0};
-    EXPECT_EQ(clq_actor_attach_mechanism(crowd_, nobody, &good), CLQ_STALE_ID);
-    EXPECT_EQ(clq_actor_detach_mechanism(crowd_, nobody, blink), CLQ_STALE_ID);
-    EXPECT_EQ(clq_actor_gaze(crowd_, nobody, gaze, point, 0), CLQ_STALE_ID);
-    EXPECT_EQ(clq_actor_express(crowd_, nobody, expression, 0, 0), CLQ_STALE_ID);
-    EXPECT_EQ(clq_actor_say(crowd_, nobody, phrase, 0), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_attach_mechanism(crowd_, no_one, &good), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_detach_mechanism(crowd_, no_one, blink), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_gaze(crowd_, no_one, gaze, point, 0), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_express(crowd_, no_one, expression, 0, 0), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_say(crowd_, no_one, phrase, 0), CLQ_STALE_ID);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, nullptr), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_attach_mechanism(crowd_, actor_, &unknown), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("mechanism 9 does not exist: the crowd has 4"), std::string::npos)
@@ -147,6 +147,6 @@ TEST_F(BehaveApi, RefusesAttachmentsAndCommandsOfMissingMechanisms)
     const clq_root_path_play motion = {{1}, 1, 0, 0}, still = {{0}, 1, 0, 0}, infinite = {{0}, INFINITY, 0, 0};
     EXPECT_EQ(clq_actor_play_root_path(crowd_, actor_, &motion), CLQ_ARGUMENT);
     EXPECT_EQ(clq_actor_play_root_path(crowd_, actor_, &infinite), CLQ_ARGUMENT);
-    EXPECT_EQ(clq_actor_play_root_path(crowd_, nobody, &still), CLQ_STALE_ID);
+    EXPECT_EQ(clq_actor_play_root_path(crowd_, no_one, &still), CLQ_STALE_ID);
     EXPECT_EQ(clq_actor_play_root_path(crowd_, actor_, nullptr), CLQ_ARGUMENT);
 }

@@ -40,9 +40,9 @@ protected:
         clq_crowd_destroy(crowd_);
         Colours::TearDown();
     }
-    clq_status colour(const std::vector<clq_actor> &who)
+    clq_status colour(const std::vector<clq_actor> &person)
     {
-        return clq_crowd_randomise_colours(crowd_, map_, 0, who.data(), uint32_t(who.size()));
+        return clq_crowd_randomise_colours(crowd_, map_, 0, person.data(), uint32_t(person.size()));
     }
     std::vector<float> colours() const
     {

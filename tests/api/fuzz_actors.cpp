@@ -25,7 +25,7 @@ void World::create()
 
 void World::destroy()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     if (!call("clq_actor_destroy", [&] { return clq_actor_destroy(crowd_, id); })) return;
     const auto is = [&](const Known::Actor &a) { return a.id.index1 == id.index1 && a.id.generation == id.generation; };
     known_.actors.erase(std::find_if(known_.actors.begin(), known_.actors.end(), is));
@@ -34,7 +34,7 @@ void World::destroy()
 
 void World::clone()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_transform place = any_place();
     const clq_transform *wanted = random_.one_in(3) ? nullptr : &place;
     if (known_.actors.size() > 45) return;
@@ -52,7 +52,7 @@ void World::place()
     clq_actor ids[5];
     clq_transform places[5];
     const uint32_t count = random_.below(6);
-    for (uint32_t i = 0; i < count; ++i) ids[i] = who(), places[i] = any_place();
+    for (uint32_t i = 0; i < count; ++i) ids[i] = person(), places[i] = any_place();
     call("clq_crowd_set_transforms", [&] { return clq_crowd_set_transforms(crowd_, ids, places, count); });
     float speeds[5];
     for (float &speed : speeds) speed = random_.oddf(0, 4);
@@ -63,7 +63,7 @@ void World::play()
 {
     const clq_play play = {random_.one_in(3) ? CLQ_NONE : random_.index(1), random_.odd(-9, 9), random_.oddf(-2, 2),
                            random_.oddf(0, 1)};
-    const clq_actor id = who();
+    const clq_actor id = person();
     call("clq_actor_play", [&] { return clq_actor_play(crowd_, id, &play); });
 }
 
@@ -75,7 +75,7 @@ void World::colours()
     for (clq_hsb_range &range : ranges)
         range = {random_.oddf(0, 360, 60), random_.oddf(0, 360, 60), random_.oddf(0, 1, 60),
                  random_.oddf(0, 1, 60),   random_.oddf(0, 1, 60),   random_.oddf(0, 1, 60)};
-    const clq_actor id = who();
+    const clq_actor id = person();
     const uint32_t zones = random_.one_in(8) ? random_.below(4) : 2;
     if (random_.one_in(2)) call("clq_actor_set_colours", [&] { return clq_actor_set_colours(crowd_, id, rgb, zones); });
     else
@@ -85,14 +85,14 @@ void World::colours()
 
 void World::priority()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const float priority = random_.oddf(0, 1, 8);
     call("clq_actor_set_priority", [&] { return clq_actor_set_priority(crowd_, id, priority); });
 }
 
 void World::attach()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const float centre[3] = {random_.oddf(-1, 1), random_.oddf(-1, 1), random_.oddf(-1, 1)};
     clq_attachment made = {77, 78};
     const bool wants = !random_.one_in(5);
@@ -118,7 +118,7 @@ void World::detach()
 void World::hooks()
 {
     const clq_actor_hooks hooks = {[](void *, clq_actor) { return false; }, [](void *, clq_actor) {}, this};
-    const clq_actor id = who();
+    const clq_actor id = person();
     const bool none = random_.one_in(3);
     call("clq_actor_set_hooks", [&] { return clq_actor_set_hooks(crowd_, id, none ? nullptr : &hooks); });
 }
@@ -156,7 +156,7 @@ void World::move_group()
 
 void World::join()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_group group = random_.one_in(4) ? clq_group{0, 0} : any_group();
     const clq_transform place = any_place();
     const bool stays = random_.one_in(2);

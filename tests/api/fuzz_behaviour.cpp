@@ -80,7 +80,7 @@ void World::add_path()
 
 void World::attach_mechanism()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_mechanism_attachment attach_mechanism = {any_mechanism(), random_.oddf(-1, 1), random_.oddf(-3, 3),
                                                        random_.odd(-9, 9)};
     call("clq_actor_attach_mechanism", [&] { return clq_actor_attach_mechanism(crowd_, id, &attach_mechanism); });
@@ -88,14 +88,14 @@ void World::attach_mechanism()
 
 void World::detach_mechanism()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_mechanism mechanism = any_mechanism();
     call("clq_actor_detach_mechanism", [&] { return clq_actor_detach_mechanism(crowd_, id, mechanism); });
 }
 
 void World::command()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_mechanism mechanism = any_mechanism();
     const double at_s = random_.odd(-5, 30);
     const double point[3] = {random_.odd(-9, 9), random_.odd(-9, 9), random_.odd(-9, 9)};
@@ -113,14 +113,14 @@ void World::ground()
     const bool none = random_.one_in(3);
     if (random_.one_in(4))
         call("clq_crowd_set_ground", [&] { return clq_crowd_set_ground(crowd_, none ? nullptr : +hill, nullptr); });
-    const clq_actor id = who();
+    const clq_actor id = person();
     const float up = none ? 0 : random_.oddf(0, 2), down = none ? 0 : random_.oddf(0, 2);
     call("clq_actor_follow_ground", [&] { return clq_actor_follow_ground(crowd_, id, up, down); });
 }
 
 void World::move_root()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const clq_root_path_play motion = {
         {random_.index(known_.paths + 1)}, random_.oddf(-2, 2), random_.oddf(-2, 2), random_.odd(-9, 9)};
     call("clq_actor_play_root_path", [&] { return clq_actor_play_root_path(crowd_, id, &motion); });

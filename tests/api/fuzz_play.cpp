@@ -28,7 +28,7 @@ void World::describe_play()
 
 void World::blend()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     clq_fade_def to = clq_fade_def_init();
     to.play = {random_.index(1), random_.odd(-5, 30), random_.oddf(-2, 2), random_.oddf(-2, 2)};
     if (random_.one_in(2)) to.gait = {random_.index(gaits_ + 1)}, to.share = random_.oddf(0, 1);
@@ -55,7 +55,7 @@ void World::blend()
 // Tracks: followed, left and returned to, with templates and groups for which they are not.
 void World::follow()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     clq_track *track = random_.one_in(30) ? nullptr : test_world_.tracks[random_.below(2)];
     const double at_s = random_.odd(-5, 30);
     switch (random_.below(5)) {
@@ -85,7 +85,7 @@ void World::follow()
 
 void World::watch()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     const int32_t watched = !random_.one_in(3);
     call("clq_actor_set_watched", [&] { return clq_actor_set_watched(crowd_, id, watched); });
     clq_event events[200];

@@ -33,7 +33,7 @@ void World::tell_scene()
     clq_actor ids[3];
     double keys[3];
     const uint32_t count = random_.below(4);
-    for (uint32_t i = 0; i < count; ++i) ids[i] = who(), keys[i] = random_.odd(0, 9, 5);
+    for (uint32_t i = 0; i < count; ++i) ids[i] = person(), keys[i] = random_.odd(0, 9, 5);
     call("clq_scene_set_categories",
          [&] { return clq_scene_set_categories(scene, ids, count, uint64_t(1) << random_.below(64)); });
     call("clq_scene_set_keys", [&] { return clq_scene_set_keys(scene, ids, keys, count); });
@@ -70,7 +70,7 @@ void World::ask_scene()
     }
     const double low = random_.odd(0, 9), high = random_.odd(0, 9);
     call("clq_scene_find_keys", [&] { return clq_scene_find_keys(scene, low, high, &filter, found, room, &count); });
-    const clq_actor id = who();
+    const clq_actor id = person();
     call("clq_scene_find_next", [&] { return clq_scene_find_next(scene, id, random_.one_in(2), &filter, &found[0]); });
     clq_scene_actor known = clq_scene_actor_init();
     const double time_s = random_.odd(time_s_, time_s_ + 1, 9);
@@ -112,7 +112,7 @@ void World::ask_places()
     if (random_.one_in(4))
         call("clq_camera_get_ray",
              [&] { return clq_camera_get_ray(&camera, random_.oddf(-1, 1), random_.oddf(-1, 1), &ray); });
-    else if (clq_actor_get_info(crowd_, who(), &seen) == CLQ_OK)
+    else if (clq_actor_get_info(crowd_, person(), &seen) == CLQ_OK)
         for (int k = 0; k < 3; ++k) ray.direction[k] = seen.root.position[k] + 0.7 * (k == 1) - point[k];
     call("clq_scene_find_on_ray",
          [&] { return clq_scene_find_on_ray(scene, time_s, &ray, &filter, hits, room, &count); });

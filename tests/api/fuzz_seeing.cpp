@@ -89,7 +89,7 @@ void World::update()
 
 void World::ask()
 {
-    const clq_actor id = who();
+    const clq_actor id = person();
     double matrix[16];
     const double time_s = random_.odd(-9, 9, 4);
     call("clq_actor_get_node", [&] { return clq_actor_get_node(crowd_, id, random_.index(2), time_s, matrix); });
@@ -145,7 +145,7 @@ void World::restore()
 
 void World::nonsense()
 {
-    const clq_actor a = who();
+    const clq_actor a = person();
     const clq_transform place = any_place();
     clq_actor made;
     clq_mechanism mechanism;

@@ -167,7 +167,7 @@ void World::check()
     }
 }
 
-clq_actor World::who()
+clq_actor World::person()
 {
     const uint32_t choice = random_.below(20);
     if (choice == 0 && !known_.gone.empty())

@@ -160,7 +160,7 @@ private:
     void ask_places();
     clq_scene_filter any_filter();
 
-    clq_actor who();  // mostly a live actor
+    clq_actor person();  // mostly a live actor
     clq_group any_group();
     clq_mechanism any_mechanism() { return {random_.one_in(20) ? 0 : 1 + random_.index(known_.mechanisms + 1)}; }
     clq_transform any_place();

@@ -111,8 +111,8 @@ TEST(RootMotion, InvalidDefinitionsAreRefusedByName)
     ASSERT_EQ(clq_context_create(nullptr, &context), CLQ_OK);
     EXPECT_EQ(clq_template_build(context, &small.def, &tmpl), CLQ_ARGUMENT);
     EXPECT_NE(std::string(clq_last_error()).find("twice"), std::string::npos) << clq_last_error();
-    const clq_root_motion_def nobody = {4, 0};
-    small.def.root_motion_count = 1, small.def.root_motions = &nobody;
+    const clq_root_motion_def none = {4, 0};
+    small.def.root_motion_count = 1, small.def.root_motions = &none;
     EXPECT_EQ(clq_template_build(context, &small.def, &tmpl), CLQ_ARGUMENT);
     const clq_marker_def late = {0, 1.5f, "late"};
     small.def.root_motion_count = 0, small.def.marker_count = 1, small.def.markers = &late;

@@ -136,7 +136,7 @@ void ask_ray(Crowd &crowd)
     const auto hits = whole<clq_scene_hit>(crowd, [&](clq_scene_hit *out, uint32_t capacity, uint32_t *count) {
         return clq_scene_find_on_ray(crowd.scene, time_s, &ray, &filter, out, capacity, count);
     });
-    // Another formula: entries differ in their last bits, and so may who is met at an edge.
+    // Another formula: entries differ in their last bits, and so may the actor that is met at an edge.
     ASSERT_EQ(hits.size(), wanted.size());
     for (size_t i = 0; i < hits.size(); ++i) ASSERT_NEAR(hits[i].distance, wanted[i].distance, 1e-6);
 }

@@ -112,46 +112,47 @@ void Crowd::change_group()
         groups.erase(groups.begin() + long(which));
     } else if (random.one_in(2)) {
         EXPECT_EQ(clq_group_set_transform(crowd, groups[which], &place), CLQ_OK);
-    } else if (Person *who = someone()) {
+    } else if (Person *individual = someone()) {
         const clq_transform seat = any_place(3);
         const clq_group to = random.one_in(4) ? clq_group{0, 0} : groups[which];
-        clq_actor_join(crowd, who->id, to, random.one_in(2) ? &seat : nullptr);  // refused on a track
+        clq_actor_join(crowd, individual->id, to, random.one_in(2) ? &seat : nullptr);  // refused on a track
     }
 }
 
 void Crowd::walk()
 {
-    Person *who = someone();
-    if (!who) return;
+    Person *individual = someone();
+    if (!individual) return;
     const double begin_s = random.in(-3, 20);
     if (random.one_in(3)) {
         const clq_root_path_play motion = {{random.below(3)}, float(random.in(-1, 1)), 0, begin_s};
-        EXPECT_EQ(clq_actor_play_root_path(crowd, who->id, &motion), CLQ_OK);
+        EXPECT_EQ(clq_actor_play_root_path(crowd, individual->id, &motion), CLQ_OK);
     } else if (random.one_in(3)) {
         const uint32_t count = 1 + random.below(uint32_t(pieces.size()));
-        for (uint32_t i = 0; i < count; ++i) clq_actor_follow_track(crowd, who->id, pieces[i], begin_s);
+        for (uint32_t i = 0; i < count; ++i) clq_actor_follow_track(crowd, individual->id, pieces[i], begin_s);
     } else if (random.one_in(3)) {
-        clq_actor_leave_track(crowd, who->id, any_time());  // where it follows one
+        clq_actor_leave_track(crowd, individual->id, any_time());  // where it follows one
     } else {
-        clq_actor_follow_track(crowd, who->id, world->tracks[random.below(2)], begin_s);  // of its template, ungrouped
+        clq_actor_follow_track(crowd, individual->id, world->tracks[random.below(2)],
+                               begin_s);  // of its template, ungrouped
     }
 }
 
 void Crowd::change_looks()
 {
-    Person *who = someone();
-    if (!who) return;
+    Person *individual = someone();
+    if (!individual) return;
     if (random.one_in(3)) {
-        clq_actor_set_texture_set(crowd, who->id, random.below(2));
+        clq_actor_set_texture_set(crowd, individual->id, random.below(2));
         return;
     }
     if (random.one_in(2)) {
-        who->categories = uint64_t(1) << random.below(5) | (random.one_in(3) ? uint64_t(1) << 63 : 0);
-        EXPECT_EQ(clq_scene_set_categories(scene, &who->id, 1, who->categories), CLQ_OK);
+        individual->categories = uint64_t(1) << random.below(5) | (random.one_in(3) ? uint64_t(1) << 63 : 0);
+        EXPECT_EQ(clq_scene_set_categories(scene, &individual->id, 1, individual->categories), CLQ_OK);
         return;
     }
-    who->key = random.one_in(4) ? NAN : random.below(40);
-    EXPECT_EQ(clq_scene_set_keys(scene, &who->id, &who->key, 1), CLQ_OK);
+    individual->key = random.one_in(4) ? NAN : random.below(40);
+    EXPECT_EQ(clq_scene_set_keys(scene, &individual->id, &individual->key, 1), CLQ_OK);
 }
 
 void Crowd::update(double to_s)

@@ -160,44 +160,44 @@ clq_view *TestWorld::new_view(clq_crowd *crowd, double x)
 }
 
 // Any of these may find no free row.
-void TestWorld::blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play)
+void TestWorld::blend(clq_crowd *crowd, clq_actor person, bool figure, const clq_play &play)
 {
     clq_fade_def to = clq_fade_def_init();
     to.play = play;
     if (figure && play.phase_s > 0.5f) to.gait = {1}, to.share = play.phase_s;
-    api_test::fade_to(crowd, who, to, play.start_s + 12, 1 + play.phase_s,
+    api_test::fade_to(crowd, person, to, play.start_s + 12, 1 + play.phase_s,
                       to.gait.index1 ? CLQ_CURVE_SMOOTH : CLQ_CURVE_INERTIAL);
-    clq_actor_set_gait_share(crowd, who, play.phase_s, play.start_s + 13, 2);
+    clq_actor_set_gait_share(crowd, person, play.phase_s, play.start_s + 13, 2);
     clq_layer_def layer = clq_layer_def_init();
     layer.play = play, layer.loops = 9, layer.fade_in_s = 0.5f;
     layer.kind = play.phase_s > 0.3f ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE;
     if (figure) layer.mask = {1};
-    clq_actor_add_layer(crowd, who, &layer, nullptr);
-    clq_actor_set_watched(crowd, who, play.phase_s > 0.2f);
+    clq_actor_add_layer(crowd, person, &layer, nullptr);
+    clq_actor_set_watched(crowd, person, play.phase_s > 0.2f);
 }
 
 // Members of groups, and actors of the other template, are refused.
-void TestWorld::follow(clq_crowd *crowd, clq_actor who, bool figure, double at_s, uint32_t step)
+void TestWorld::follow(clq_crowd *crowd, clq_actor person, bool figure, double at_s, uint32_t step)
 {
     if (step % 3 == 0) {
-        clq_actor_leave_track(crowd, who, at_s);
+        clq_actor_leave_track(crowd, person, at_s);
     } else {
-        const clq_status status = clq_actor_follow_track(crowd, who, tracks[step % 2], at_s);
+        const clq_status status = clq_actor_follow_track(crowd, person, tracks[step % 2], at_s);
         EXPECT_TRUE(status == CLQ_OK ? figure : status == CLQ_ARGUMENT) << clq_last_error();
     }
-    if (step % 5 == 0) clq_actor_fade_to_track(crowd, who, at_s + 1, 0.5f);
+    if (step % 5 == 0) clq_actor_fade_to_track(crowd, person, at_s + 1, 0.5f);
 }
 
 void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step)
 {
     const uint64_t bits = mixed(seed ^ 0x57a6e, step);
-    clq_actor &who = actors[(bits >> 8) % actors.size()];
+    clq_actor &person = actors[(bits >> 8) % actors.size()];
     const double x = static_cast<double>((bits >> 20) % 200) / 10 - 10,
                  z = -static_cast<double>((bits >> 30) % 300) / 10;
     const float share = static_cast<float>((bits >> 40) % 1000) / 1000;
     const clq_transform place = {{x, share, z}, {0, 0, 0, 1}, 0.5f + share};
     clq_actor_info info = clq_actor_info_init();
-    ASSERT_EQ(clq_actor_get_info(crowd, who, &info), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_actor_get_info(crowd, person, &info), CLQ_OK) << clq_last_error();
     const bool figure = info.tmpl == templates[0];
     const uint32_t kind = (bits >> 50) % 6;
     const clq_mechanism_attachment use = {{kind + 1}, share, share, x};
@@ -210,58 +210,58 @@ void TestWorld::happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_
     clq_status status = CLQ_OK;
     switch (bits % 15) {
         case 0:
-            status = clq_crowd_set_transforms(crowd, &who, &place, 1);
-            clq_crowd_set_speeds(crowd, &who, &share, 1);
+            status = clq_crowd_set_transforms(crowd, &person, &place, 1);
+            clq_crowd_set_speeds(crowd, &person, &share, 1);
             break;
         case 1:
-            if (step % 3 == 0) status = clq_actor_play(crowd, who, &play);
-            else blend(crowd, who, figure, play);
+            if (step % 3 == 0) status = clq_actor_play(crowd, person, &play);
+            else blend(crowd, person, figure, play);
             break;
         case 2:
-            status = clq_actor_randomise_colours(crowd, who, nullptr, 0);
+            status = clq_actor_randomise_colours(crowd, person, nullptr, 0);
             break;
         case 3:
-            status = clq_actor_set_priority(crowd, who, share);
+            status = clq_actor_set_priority(crowd, person, share);
             break;
         case 4:
-            status = api_test::attach(crowd, who, 1, centre, share, &attached);
+            status = api_test::attach(crowd, person, 1, centre, share, &attached);
             break;
         case 5:
-            status = clq_actor_follow_ground(crowd, who, share, 0.5f);
+            status = clq_actor_follow_ground(crowd, person, share, 0.5f);
             break;
         case 6:
-            status = clq_actor_play_root_path(crowd, who, &motion);
+            status = clq_actor_play_root_path(crowd, person, &motion);
             break;
         case 7:
             if (step % 9 == 0) status = clq_group_create(crowd, &place, &group);
             break;
         case 8:
-            clq_actor_join(crowd, who, group, step % 3 ? nullptr : &place);
+            clq_actor_join(crowd, person, group, step % 3 ? nullptr : &place);
             break;
         case 9:
             clq_group_set_enabled(crowd, group, step % 5 != 0), clq_group_set_transform(crowd, group, &place);
             clq_group_set_speed(crowd, group, share);
             break;
         case 10:
-            if (figure) status = clq_actor_attach_mechanism(crowd, who, &use);
+            if (figure) status = clq_actor_attach_mechanism(crowd, person, &use);
             break;
         case 11:
-            clq_actor_gaze(crowd, who, {gaze + 1}, step % 4 ? point : nullptr, x);
-            clq_actor_express(crowd, who, {expression + 1}, step % 2, x);
-            clq_actor_say(crowd, who, {phrase + 1}, x);
+            clq_actor_gaze(crowd, person, {gaze + 1}, step % 4 ? point : nullptr, x);
+            clq_actor_express(crowd, person, {expression + 1}, step % 2, x);
+            clq_actor_say(crowd, person, {phrase + 1}, x);
             break;
         case 12: {
             clq_actor twin;
-            status = clq_actor_clone(crowd, who, &place, bits, &twin);
-            ASSERT_EQ(clq_actor_destroy(crowd, who), CLQ_OK) << clq_last_error();
-            who = twin;
+            status = clq_actor_clone(crowd, person, &place, bits, &twin);
+            ASSERT_EQ(clq_actor_destroy(crowd, person), CLQ_OK) << clq_last_error();
+            person = twin;
             break;
         }
         case 13:
-            follow(crowd, who, figure, x, step);
+            follow(crowd, person, figure, x, step);
             break;
         default:
-            clq_actor_detach_mechanism(crowd, who, {kind + 1});
+            clq_actor_detach_mechanism(crowd, person, {kind + 1});
             clq_actor_detach(crowd, {static_cast<uint32_t>((bits >> 50) % 8) + 1, 1});
     }
     EXPECT_EQ(status, CLQ_OK) << clq_last_error();

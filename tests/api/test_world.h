@@ -38,8 +38,8 @@ struct TestWorld {
     // Changes something of one actor: number `step` of a scripted run that is the same for equal seeds.
     void happen(clq_crowd *crowd, std::vector<clq_actor> &actors, uint64_t seed, uint32_t step);
 
-    void follow(clq_crowd *crowd, clq_actor who, bool figure, double at_s, uint32_t step);
-    void blend(clq_crowd *crowd, clq_actor who, bool figure, const clq_play &play);
+    void follow(clq_crowd *crowd, clq_actor person, bool figure, double at_s, uint32_t step);
+    void blend(clq_crowd *crowd, clq_actor person, bool figure, const clq_play &play);
 
     SmallTemplate with_dofs, plain;
     Walker legs{with_dofs};

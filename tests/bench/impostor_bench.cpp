@@ -51,9 +51,9 @@ struct Field {
         const float scale = tall_px / 1.75f;  // pixels per metre: a parallel projection, so that all have one height
         projection[0] = 2 * scale / width, projection[5] = 2 * scale / height;
         projection[10] = -0.01f, projection[15] = 1;
-        for (uint32_t who = 0; who < people; ++who)
-            places.push_back({(float(who % columns) + 0.5f) * 20 / scale - width / 2 / scale,
-                              (float(who / columns) + 0.3f) * 18 / scale - height / 2 / scale, -5});
+        for (uint32_t person = 0; person < people; ++person)
+            places.push_back({(float(person % columns) + 0.5f) * 20 / scale - width / 2 / scale,
+                              (float(person / columns) + 0.3f) * 18 / scale - height / 2 / scale, -5});
         for (uint32_t i = 0; i < 3 * zones * people; ++i) colours.push_back(uint8_t(60 + i * 37 % 190));
         light();
     }
@@ -102,14 +102,14 @@ void mesh(benchmark::State &state, uint32_t triangles, float tall_px)
         return state.SkipWithError("the renderer refused");
     draw::DrawList list(std::pmr::get_default_resource());
     std::copy_n(field.projection, 16, list.projection);
-    for (uint32_t who = 0; who < people; ++who) {
+    for (uint32_t person = 0; person < people; ++person) {
         draw::Item item;
         item.tmpl = posed.tmpl.get();
         item.vertices.positions = posed.positions.data();
         item.vertices.normals = posed.normals.data();
-        item.zone_rgb = field.colours.data() + size_t(3) * Field::zones * who;
-        const float c = std::cos(0.1f * float(who)), s = std::sin(0.1f * float(who));
-        const glm::vec3 at = field.places[who];
+        item.zone_rgb = field.colours.data() + size_t(3) * Field::zones * person;
+        const float c = std::cos(0.1f * float(person)), s = std::sin(0.1f * float(person));
+        const glm::vec3 at = field.places[person];
         const float matrix[16] = {c, 0, -s, 0, 0, 1, 0, 0, s, 0, c, 0, at.x, at.y, at.z, 1};
         std::copy_n(matrix, 16, item.model_view);
         list.items.push_back(item);
@@ -206,8 +206,9 @@ void impostor(benchmark::State &state, uint32_t zones, float tall_px)
     set_up(*field.host, field.projection);
     Quads quads(*field.host);
     field.measure(state, [&] {
-        for (uint32_t who = 0; who < people; ++who)
-            quads.add(field.places[who], field.colours.data() + size_t(3) * Field::zones * who, zones, who % 64);
+        for (uint32_t person = 0; person < people; ++person)
+            quads.add(field.places[person], field.colours.data() + size_t(3) * Field::zones * person, zones,
+                      person % 64);
         quads.flush();
     });
 }

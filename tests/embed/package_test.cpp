@@ -1,4 +1,4 @@
-// What `make package` makes: who needs what, and that the packages' files together are a command that runs.
+// What `make package` makes: which package needs which, and that the packages' files together are a command that runs.
 #include <gtest/gtest.h>
 
 #include "tests/embed/scratch.h"

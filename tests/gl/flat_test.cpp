@@ -110,9 +110,9 @@ TEST_F(Flat, AreLitByTheirFaceNormals)
 {
     light_from({1, 0.4f, 0.2f, 0});
     for (const DrawList &crowd_list : {many(), squeezed()})
-        for (const uint32_t who : {19u, 21u}) {  // 21 is mirrored in the second
+        for (const uint32_t person : {19u, 21u}) {  // 21 is mirrored in the second
             DrawList list = crowd_list;
-            list.items = {crowd_list.items[who]};
+            list.items = {crowd_list.items[person]};
             const std::vector<Colour> expected = colours_lit_from({1, 0.4, 0.2}, list.items[0], list.items[0].zone_rgb);
             const Picture picture = shown(list, {});
             uint32_t seen = 0, none_of_them = 0;
@@ -130,7 +130,7 @@ TEST_F(Flat, AreLitByTheirFaceNormals)
             EXPECT_GT(seen, 100u);
             EXPECT_GT(distinct.size(), 5u);
             EXPECT_LE(distinct.size(), expected.size());
-            EXPECT_EQ(none_of_them, 0u) << "of " << seen << ", " << who;
+            EXPECT_EQ(none_of_them, 0u) << "of " << seen << ", " << person;
         }
 }
 

@@ -52,13 +52,13 @@ void LivePeer::draw(const clq_view *view)
         scenes::check(clq_view_get_morph_weights(view, i, weights_.data(), shown.morph_weight_count));
         for (size_t joint = 0; joint < columns_.size(); joint += 12)
             for (size_t k = 0; k < 12; ++k) rows_[joint + k] = columns_[joint + 3 * (k % 4) + k / 4];
-        Individual who;
-        who.actor = shown.actor.index1;
-        who.mesh = mesh->second;
-        who.palette_count = shown.joint_count;
-        who.mirrored = shown.mirrored != 0;
-        std::copy(std::begin(shown.model_view), std::end(shown.model_view), who.model_view.begin());
-        peer_->draw(who, row->second, rows_.data(), weights_.data());
+        Individual person;
+        person.actor = shown.actor.index1;
+        person.mesh = mesh->second;
+        person.palette_count = shown.joint_count;
+        person.mirrored = shown.mirrored != 0;
+        std::copy(std::begin(shown.model_view), std::end(shown.model_view), person.model_view.begin());
+        peer_->draw(person, row->second, rows_.data(), weights_.data());
     }
     peer_->gl().Finish();
 }

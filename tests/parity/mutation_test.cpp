@@ -138,11 +138,11 @@ TEST_F(Mutation, OneLevelOfDetailSwappedIsCaught)
     options_.crowd_options.lod_scale = 3;
     make_scene_renderer();
     const Capture a = capture();
-    const clq_actor who = nearest(a);
-    const uint32_t level = info_of(who).level;
-    scenes::check(clq_actor_set_priority(crowd(), who, 0.9f));
+    const clq_actor person = nearest(a);
+    const uint32_t level = info_of(person).level;
+    scenes::check(clq_actor_set_priority(crowd(), person, 0.9f));
     const Capture b = capture();
-    ASSERT_NE(info_of(who).level, level);
+    ASSERT_NE(info_of(person).level, level);
     expect_broken(broken(vertices_of(a), vertices_of(b)), "actors.changed is 1");
     expect_broken(broken(pictures_of(a), pictures_of(b)), "zone_ids.");
     EXPECT_NE(broken(a, colours_of(b)), "");
@@ -152,15 +152,15 @@ TEST_F(Mutation, AChangedZoneColourIsCaught)
 {
     make_scene_renderer();
     const Capture a = capture();
-    const clq_actor who = nearest(a);
-    const clq_template *tmpl = info_of(who).tmpl;
+    const clq_actor person = nearest(a);
+    const clq_template *tmpl = info_of(person).tmpl;
     clq_template_info info = clq_template_info_init();
     scenes::check(clq_template_get_info(tmpl, &info));
     std::vector<float> colours(3 * size_t{info.zone_count}, 0.5f);
-    scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
+    scenes::check(clq_actor_set_colours(crowd(), person, colours.data(), info.zone_count));
     const Capture grey = capture();
-    colours[3 * widest_zone(grey, who) + 1] = 0.56f;  // a little more green in one zone of one of twelve individuals
-    scenes::check(clq_actor_set_colours(crowd(), who, colours.data(), info.zone_count));
+    colours[3 * widest_zone(grey, person) + 1] = 0.56f;  // a little more green in one zone of one of twelve individuals
+    scenes::check(clq_actor_set_colours(crowd(), person, colours.data(), info.zone_count));
     const Capture greener = capture();
     EXPECT_EQ(broken(vertices_of(grey), vertices_of(greener), "exact"), "");
     expect_broken(broken(grey, greener), "colour.worst_zone");
@@ -171,13 +171,13 @@ TEST_F(Mutation, APoseOneTickOldIsCaught)
 {
     make_scene_renderer();
     const Capture first = capture();
-    const clq_actor who = nearest(first);
-    clq_play play = info_of(who).play;
+    const clq_actor person = nearest(first);
+    clq_play play = info_of(person).play;
     play.clip = 1, play.speed = 1;
-    scenes::check(clq_actor_play(crowd(), who, &play));
+    scenes::check(clq_actor_play(crowd(), person, &play));
     const Capture a = capture();
-    play.start_s += double(info_of(who).period_s);
-    scenes::check(clq_actor_play(crowd(), who, &play));
+    play.start_s += double(info_of(person).period_s);
+    scenes::check(clq_actor_play(crowd(), person, &play));
     const Capture b = capture();
     expect_broken(broken(vertices_of(a), vertices_of(b)), "positions.max_relative");
     EXPECT_NE(broken(pictures_of(a), pictures_of(b)), "");

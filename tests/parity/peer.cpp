@@ -18,7 +18,8 @@ const void *offset(size_t bytes) { return reinterpret_cast<const void *>(bytes);
 Peer::Peer(const contexts::Offscreen &context, const SceneIn &scene, const PeerOptions &options)
     : gl_(context), scene_(scene), options_(options)
 {
-    for (const Individual &who : scene.individuals) most_joints_ = std::max<size_t>(most_joints_, who.palette_count);
+    for (const Individual &person : scene.individuals)
+        most_joints_ = std::max<size_t>(most_joints_, person.palette_count);
     int components = 0;
     gl_.GetIntegerv(gl::max_vertex_uniform_components, &components);
     const bool inverse =
@@ -120,14 +121,14 @@ void Peer::begin(What what)
     gl_.MatrixMode(gl::modelview);
 }
 
-void Peer::use_mesh(const Individual &who, const float *weights)
+void Peer::use_mesh(const Individual &person, const float *weights)
 {
-    const Mesh &mesh = scene_.meshes[who.mesh];
+    const Mesh &mesh = scene_.meshes[person.mesh];
     const bool moved = std::any_of(mesh.targets.begin(), mesh.targets.end(),
                                    [&](const MorphTarget &t) { return weights[t.weight] != 0; });
-    if (mesh_ == who.mesh && !moved) return;
-    const Buffers &buffers = meshes_[who.mesh];
-    mesh_ = moved ? SIZE_MAX : who.mesh;
+    if (mesh_ == person.mesh && !moved) return;
+    const Buffers &buffers = meshes_[person.mesh];
+    mesh_ = moved ? SIZE_MAX : person.mesh;
     gl_.BindBuffer(gl::element_array_buffer, buffers.indices);
     gl_.BindBuffer(gl::array_buffer, buffers.shape);
     const auto point = [&](int attribute, int size, bool there) {
@@ -166,63 +167,64 @@ void Peer::bind_morphed(const Mesh &mesh, const float *weights)
     gl_.VertexAttribPointer(at_normal, 3, gl::real, 0, 0, offset(4 * mesh.positions.size()));
 }
 
-Variant Peer::variant_for(const Individual &who, const Range &range) const
+Variant Peer::variant_for(const Individual &person, const Range &range) const
 {
-    const Mesh &mesh = scene_.meshes[who.mesh];
+    const Mesh &mesh = scene_.meshes[person.mesh];
     const Material &material = scene_.materials[range.material];
     return {what_,          most_joints_,      mesh.joints.size(),    mesh.normals_by_inverse, material.double_sided,
             material.holes, options_.limiting, options_.subpixel_bits};
 }
 
-void Peer::use_program(const Individual &who, const Variant &variant, size_t row, const float *palette)
+void Peer::use_program(const Individual &person, const Variant &variant, size_t row, const float *palette)
 {
     const Program &program = program_for(variant);
     if (program_ != &program) gl_.UseProgram(program.name), palette_is_set_ = false;
     program_ = &program;
     if (palette_is_set_) return;
     palette_is_set_ = true;
-    gl_.Uniform4fv(program.palette, static_cast<int>(3 * who.palette_count), palette);
+    gl_.Uniform4fv(program.palette, static_cast<int>(3 * person.palette_count), palette);
     if (variant.normals_by_inverse) {
-        std::vector<float> normals(12 * static_cast<size_t>(who.palette_count));
-        for (size_t joint = 0; joint < who.palette_count; ++joint)
+        std::vector<float> normals(12 * static_cast<size_t>(person.palette_count));
+        for (size_t joint = 0; joint < person.palette_count; ++joint)
             normal_matrix(palette + 12 * joint, normals.data() + 12 * joint);
-        gl_.Uniform4fv(program.normal_palette, static_cast<int>(3 * who.palette_count), normals.data());
+        gl_.Uniform4fv(program.normal_palette, static_cast<int>(3 * person.palette_count), normals.data());
     }
     if (program.row >= 0)
         gl_.Uniform1f(program.row, (static_cast<float>(row % atlas_rows) + 0.5f) / static_cast<float>(atlas_rows));
-    const float id[3] = {static_cast<float>(who.actor & 255) / 255, static_cast<float>(who.actor >> 8 & 255) / 255,
-                         static_cast<float>(who.actor >> 16 & 255) / 255};
+    const float id[3] = {static_cast<float>(person.actor & 255) / 255,
+                         static_cast<float>(person.actor >> 8 & 255) / 255,
+                         static_cast<float>(person.actor >> 16 & 255) / 255};
     if (program.id >= 0) gl_.Uniform3fv(program.id, 1, id);
 }
 
-void Peer::draw(const Individual &who, size_t row, const float *palette, const float *weights)
+void Peer::draw(const Individual &person, size_t row, const float *palette, const float *weights)
 {
-    use_mesh(who, weights);
+    use_mesh(person, weights);
     palette_is_set_ = false;
-    gl_.LoadMatrixf(who.model_view.data());
-    gl_.FrontFace(who.mirrored ? gl::cw : gl::ccw);
+    gl_.LoadMatrixf(person.model_view.data());
+    gl_.FrontFace(person.mirrored ? gl::cw : gl::ccw);
     if (row / atlas_rows != atlas_) {
         atlas_ = row / atlas_rows;
         gl_.ActiveTexture(gl::texture0 + 1);
         gl_.BindTexture(gl::texture_2d, atlases_[atlas_]);
         gl_.ActiveTexture(gl::texture0);
     }
-    const Mesh &mesh = scene_.meshes[who.mesh];
+    const Mesh &mesh = scene_.meshes[person.mesh];
     if (options_.limiting != Limiting::zones) {
-        for (const Range &range : mesh.ranges) draw_range(who, range, row, palette);
+        for (const Range &range : mesh.ranges) draw_range(person, range, row, palette);
         return;
     }
     for (const ZoneRange &part : mesh.zone_ranges) {
-        use_program(who, variant_for(who, part.range), row, palette);
+        use_program(person, variant_for(person, part.range), row, palette);
         set_zone(row, part.zone);
-        draw_range(who, part.range, row, palette);
+        draw_range(person, part.range, row, palette);
     }
 }
 
-void Peer::draw_range(const Individual &who, const Range &range, size_t row, const float *palette)
+void Peer::draw_range(const Individual &person, const Range &range, size_t row, const float *palette)
 {
     const Material &material = scene_.materials[range.material];
-    use_program(who, variant_for(who, range), row, palette);
+    use_program(person, variant_for(person, range), row, palette);
     if (range.material != material_) {
         gl_.BindTexture(gl::texture_2d, textures_[material.texture]);
         material.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);
@@ -247,9 +249,9 @@ void Peer::draw_all(What what)
     std::vector<size_t> order(scene_.individuals.size());
     for (size_t i = 0; i < order.size(); ++i) order[scene_.individuals[i].draw_order] = i;
     for (const size_t i : order) {
-        const Individual &who = scene_.individuals[i];
-        draw(who, i, scene_.palettes.data() + 12 * static_cast<size_t>(who.first_palette),
-             scene_.weights.data() + who.first_weight);
+        const Individual &person = scene_.individuals[i];
+        draw(person, i, scene_.palettes.data() + 12 * static_cast<size_t>(person.first_palette),
+             scene_.weights.data() + person.first_weight);
     }
     gl_.Finish();
     gl_.expect_no_error("drawing the scene");

@@ -29,7 +29,7 @@ public:
     // A cleared picture, and the state that all draws share.
     void begin(What what);
     // `palette`: three rows of four per joint; `weights`: of the morph targets; row: of the atlas.
-    void draw(const Individual &who, size_t row, const float *palette, const float *weights);
+    void draw(const Individual &person, size_t row, const float *palette, const float *weights);
     // The whole exported scene, in the order of its list.
     void draw_all(What what);
 
@@ -53,12 +53,12 @@ private:
     void set_scene_uniforms(unsigned program);
     void upload_textures();
     void upload_meshes();
-    void use_mesh(const Individual &who, const float *weights);
+    void use_mesh(const Individual &person, const float *weights);
     void bind_morphed(const Mesh &mesh, const float *weights);
-    Variant variant_for(const Individual &who, const Range &range) const;
-    void draw_range(const Individual &who, const Range &range, size_t row, const float *palette);
+    Variant variant_for(const Individual &person, const Range &range) const;
+    void draw_range(const Individual &person, const Range &range, size_t row, const float *palette);
     void set_zone(size_t row, uint32_t zone);
-    void use_program(const Individual &who, const Variant &variant, size_t row, const float *palette);
+    void use_program(const Individual &person, const Variant &variant, size_t row, const float *palette);
 
     Gl20 gl_;
     const SceneIn &scene_;

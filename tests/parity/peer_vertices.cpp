@@ -13,12 +13,12 @@ bool Peer::skin(std::vector<float> &positions, std::vector<float> &normals)
     gl_.GenBuffers(1, &caught);
     gl_.Enable(gl::rasterizer_discard);
     std::vector<float> both;
-    for (const Individual &who : scene_.individuals) {
-        const Mesh &mesh = scene_.meshes[who.mesh];
-        use_mesh(who, scene_.weights.data() + who.first_weight);
+    for (const Individual &person : scene_.individuals) {
+        const Mesh &mesh = scene_.meshes[person.mesh];
+        use_mesh(person, scene_.weights.data() + person.first_weight);
         palette_is_set_ = false;
-        use_program(who, {What::vertices, most_joints_, mesh.joints.size(), mesh.normals_by_inverse}, 0,
-                    scene_.palettes.data() + 12 * static_cast<size_t>(who.first_palette));
+        use_program(person, {What::vertices, most_joints_, mesh.joints.size(), mesh.normals_by_inverse}, 0,
+                    scene_.palettes.data() + 12 * static_cast<size_t>(person.first_palette));
         const ptrdiff_t size = static_cast<ptrdiff_t>(24 * mesh.vertices);
         gl_.BindBuffer(gl::transform_feedback_buffer, caught);
         gl_.BufferData(gl::transform_feedback_buffer, size, nullptr, gl::stream_draw);

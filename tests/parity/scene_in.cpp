@@ -66,14 +66,14 @@ void read_individuals(const std::string &folder, SceneIn &out)
     };
     for (size_t row = 0; row < rows; ++row) {
         const auto value = [&](const char *name) { return table[row * columns + column(name)]; };
-        Individual who;
-        who.actor = value("actor"), who.mesh = value("mesh");
-        who.first_vertex = value("first_vertex"), who.vertex_count = value("vertex_count");
-        who.first_palette = value("first_palette"), who.palette_count = value("palette_count");
-        who.first_weight = value("first_weight"), who.weight_count = value("weight_count");
-        who.draw_order = value("draw_order"), who.mirrored = (value("flags") & 1) != 0;
-        for (size_t k = 0; k < 16; ++k) who.model_view[k] = places[16 * row + 4 * (k % 4) + k / 4];
-        out.individuals.push_back(who);
+        Individual person;
+        person.actor = value("actor"), person.mesh = value("mesh");
+        person.first_vertex = value("first_vertex"), person.vertex_count = value("vertex_count");
+        person.first_palette = value("first_palette"), person.palette_count = value("palette_count");
+        person.first_weight = value("first_weight"), person.weight_count = value("weight_count");
+        person.draw_order = value("draw_order"), person.mirrored = (value("flags") & 1) != 0;
+        for (size_t k = 0; k < 16; ++k) person.model_view[k] = places[16 * row + 4 * (k % 4) + k / 4];
+        out.individuals.push_back(person);
     }
 }
 

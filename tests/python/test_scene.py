@@ -1,4 +1,4 @@
-"""Scenes: who is where and who is what, as NumPy finds it in the positions."""
+"""Scenes: individuals by place and by category, as NumPy finds them in the positions."""
 
 import numpy
 import pytest

@@ -1,4 +1,4 @@
-"""Tracks from arrays: people who walk, in the order and at the places that the arrays say."""
+"""Tracks from arrays: people person walk, in the order and at the places that the arrays say."""
 
 import numpy
 import pytest
@@ -59,8 +59,8 @@ def test_actors_follow_them_and_are_drawn(context, walk):
 
 
 def test_trajectories_become_tracks(context, walk):
-    table = b"time,pedID,posX,posY\n" + b"".join(b"%g,%d,%g,2\n" % (0.5 * i, who, 0.6 * i + who)
-                                                 for i in range(20) for who in (7, 8))
+    table = b"time,pedID,posX,posY\n" + b"".join(b"%g,%d,%g,2\n" % (0.5 * i, person, 0.6 * i + person)
+                                                 for i in range(20) for person in (7, 8))
     with claque.Trajectories.from_bytes(context, table, "people.csv") as read:
         tracks = claque.Tracks.from_trajectories(walk, read)
     assert tracks.ids == ["7", "8"]
@@ -78,7 +78,8 @@ def passers():
 def test_passings_are_where_people_meet(context):
     ids, times, xy = passers()
     points = numpy.stack([xy[:, 0], 0 * times, -xy[:, 1]], 1)
-    found = claque.find_passings(context, [(times[ids == who], points[ids == who]) for who in ("anna", "ben", "carl")])
+    alike = [ids == person for person in ("anna", "ben", "carl")]
+    found = claque.find_passings(context, [(times[rows], points[rows]) for rows in alike])
     assert [len(own) for own in found] == [1, 1, 0]
     assert found[0]["time_s"][0] == pytest.approx(4, abs=0.11)
     assert found[0]["position"][0] == pytest.approx([4.8, 0, -0.5], abs=0.13), "Ben's place"

@@ -144,8 +144,7 @@ TEST(ReferenceOnFiles, InterpolationTestShowsEveryKind)
 TEST(ReferenceOnFiles, RestPosesHaveTheSizesThatTheInventoryGives)
 {
     NEEDS_ASSETS();
-    // Extents after skinning and all node transforms, without morph targets, rounded to a hundredth by whoever measured
-    // them.
+    // Extents after skinning and all node transforms, without morph targets, rounded to a hundredth.
     std::ifstream inventory(assets_folder() + "inventory.json");
     size_t held = 0;
     for (const auto &entry : nlohmann::json::parse(inventory)) {

@@ -12,10 +12,10 @@ namespace
 using namespace scenes;
 using namespace scenes::amphitheatre;
 
-Spectator spectator(uint64_t who, double x = 40, double z = -30)
+Spectator spectator(uint64_t person, double x = 40, double z = -30)
 {
     Spectator made;
-    made.seed = 1, made.who = who, made.x = x, made.z = z;
+    made.seed = 1, made.person = person, made.x = x, made.z = z;
     made.temperament = Temperament::hearty;
     made.duration_s = {7, 9, 8, 8.5, 5.5, 4.5, 5, 4, 2, 6, 5, 4, 4, 5, 2.1};
     return made;
@@ -26,8 +26,8 @@ bool is_excited(Act act) { return act == Act::applaud || act == Act::cheer || ac
 
 TEST(Acclaim, ClipsFollowEachOtherWithoutAGap)
 {
-    for (uint64_t who = 0; who < 40; ++who) {
-        const Spectator s = spectator(who, -60 + 3.0 * static_cast<double>(who));
+    for (uint64_t person = 0; person < 40; ++person) {
+        const Spectator s = spectator(person, -60 + 3.0 * static_cast<double>(person));
         Playing before = playing_at(s, -100);
         for (double time = before.end_s; time < 200;) {
             const Playing now = playing_at(s, time + 1e-9);
@@ -74,8 +74,8 @@ TEST(Acclaim, ManyJoinAWaveAndFewActBeforeIt)
 {
     const Wave w = wave(1, 2);
     size_t joined = 0, before = 0;
-    for (uint64_t who = 0; who < 1000; ++who) {
-        const Spectator s = spectator(who, w.x, w.z);
+    for (uint64_t person = 0; person < 1000; ++person) {
+        const Spectator s = spectator(person, w.x, w.z);
         joined += is_excited(playing_at(s, w.start_s + 3).act) ? 1 : 0;
         before += is_excited(playing_at(s, w.start_s - 1).act) ? 1 : 0;
     }

@@ -126,7 +126,7 @@ Overlap overlap(const Posed &a, const Posed &b)
 struct Crush {
     double deepest = -1;
     uint32_t pairs = 0, inside = 0;
-    std::string who;
+    std::string person;
 };
 
 // Every `stride`th seat with those beside and behind it, in theatres whose seats and rows may be narrower.
@@ -152,10 +152,10 @@ Crush crush(const Theatre &theatre, size_t stride, const std::vector<double> &ti
                 found.inside += deep.depth > touch_m;
                 if (deep.depth <= found.deepest) continue;
                 found.deepest = deep.depth;
-                found.who = "seats " + std::to_string(people[i].seat) + " and " + std::to_string(people[k].seat) +
-                            " at " + std::to_string(t) + " s, in the " + deep.limb + " (" +
-                            clip_name(playing_at(members[i], t).act) + ", " + clip_name(playing_at(members[k], t).act) +
-                            ")";
+                found.person = "seats " + std::to_string(people[i].seat) + " and " + std::to_string(people[k].seat) +
+                               " at " + std::to_string(t) + " s, in the " + deep.limb + " (" +
+                               clip_name(playing_at(members[i], t).act) + ", " +
+                               clip_name(playing_at(members[k], t).act) + ")";
             }
         }
     return found;
@@ -169,7 +169,7 @@ TEST(Bodies, NoTwoPeopleIntersect)
 {
     const Crush found = crush(full_odeon(), 3, {2.0, 11.7, 23.4, 58.0, 77.1});
     EXPECT_GT(found.pairs, 3000u);
-    EXPECT_LE(found.deepest, touch_m) << found.who << ", " << found.inside << " of " << found.pairs;
+    EXPECT_LE(found.deepest, touch_m) << found.person << ", " << found.inside << " of " << found.pairs;
 }
 
 TEST(Bodies, TheTestFindsPeopleWhoSitFifteenCentimetresTooNear)

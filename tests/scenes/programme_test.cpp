@@ -11,14 +11,14 @@ namespace
 
 using namespace scenes;
 
-Member member(uint64_t who, Temperament temperament = Temperament::hearty)
+Member member(uint64_t person, Temperament temperament = Temperament::hearty)
 {
     Member m;
     m.seed = 7;
-    m.who = who;
-    m.x = 0.65 * static_cast<double>(who % 40);
-    m.z = -8 - 0.78 * static_cast<double>(who / 40);
-    m.aside_m = who % 7 == 0 ? 9 : 0.1 * static_cast<double>(who % 3);
+    m.person = person;
+    m.x = 0.65 * static_cast<double>(person % 40);
+    m.z = -8 - 0.78 * static_cast<double>(person / 40);
+    m.aside_m = person % 7 == 0 ? 9 : 0.1 * static_cast<double>(person % 3);
     m.temperament = temperament;
     m.duration_s = {4.0, 5.2, 6.1, 5.0, 3.1, 2.9, 3.3, 2.6, 1.7, 4.4, 2.4, 2.2, 2.8, 3.0, 1.8};
     return m;
@@ -36,8 +36,8 @@ void expect_same(const Playing &a, const Playing &b)
 
 TEST(Programme, IsMadeOfWholeClipsOneAfterTheOther)
 {
-    for (uint64_t who = 0; who < 50; ++who) {
-        const Member m = member(who);
+    for (uint64_t person = 0; person < 50; ++person) {
+        const Member m = member(person);
         Playing now = playing_at(m, -100);
         EXPECT_TRUE(now.begin_s <= -100 && -100 < now.end_s);
         while (now.end_s < 200) {
@@ -53,8 +53,8 @@ TEST(Programme, IsMadeOfWholeClipsOneAfterTheOther)
 TEST(Programme, RisesBeforeItStandsAndSitsDownAfter)
 {
     uint32_t risen = 0;
-    for (uint64_t who = 0; who < 400; ++who) {
-        const Member m = member(who);
+    for (uint64_t person = 0; person < 400; ++person) {
+        const Member m = member(person);
         Act before = playing_at(m, 0).act;
         for (double t = playing_at(m, 0).end_s + 1e-6; t < 300; t = playing_at(m, t).end_s + 1e-6) {
             const Act act = playing_at(m, t).act;
@@ -68,19 +68,19 @@ TEST(Programme, RisesBeforeItStandsAndSitsDownAfter)
 
 TEST(Programme, ASitterRightBehindAnotherNeitherRisesNorLeansForward)
 {
-    for (uint64_t who = 0; who < 400; ++who)
+    for (uint64_t person = 0; person < 400; ++person)
         for (double t = 0; t < 300; t += 5) {
-            const Act act = playing_at(member(who), t).act;
-            EXPECT_FALSE(act >= Act::rise && member(who).aside_m < aside_to_rise_m);
-            EXPECT_FALSE(act == Act::lean && member(who).aside_m < aside_to_lean_m);
+            const Act act = playing_at(member(person), t).act;
+            EXPECT_FALSE(act >= Act::rise && member(person).aside_m < aside_to_rise_m);
+            EXPECT_FALSE(act == Act::lean && member(person).aside_m < aside_to_lean_m);
         }
 }
 
 TEST(Programme, SpeedsStayNearOne)
 {
-    for (uint64_t who = 0; who < 300; ++who)
+    for (uint64_t person = 0; person < 300; ++person)
         for (double t = 0; t < 400; t += 31) {
-            const double speed = playing_at(member(who), t).speed;
+            const double speed = playing_at(member(person), t).speed;
             EXPECT_GT(speed, 0.84);
             EXPECT_LT(speed, 1.16);
         }
@@ -99,9 +99,9 @@ TEST(Programme, MostSitQuietlyAndAFewStand)
     std::map<Act, uint32_t> seen;
     uint32_t all = 0, quiet = 0, standing = 0;
     const Temperament temperaments[] = {Temperament::grave, Temperament::gracious, Temperament::hearty};
-    for (uint64_t who = 0; who < 1000; ++who)
+    for (uint64_t person = 0; person < 1000; ++person)
         for (double t = 0; t < 300; t += 7.3) {
-            const Act act = playing_at(member(who, temperaments[who % 3]), t).act;
+            const Act act = playing_at(member(person, temperaments[person % 3]), t).act;
             ++seen[act];
             ++all;
             quiet += act <= Act::talk;
@@ -118,11 +118,11 @@ TEST(Programme, NeighboursApplaudTogetherMoreThanStrangers)
 {
     double together = 0, strangers = 0, applauding = 0, samples = 0;
     for (double t = 0; t < 400; t += 5)
-        for (uint64_t who = 0; who + 1 < 400; ++who) {
-            if (who % 40 == 39) continue;
-            const bool here = playing_at(member(who), t).act == Act::applaud;
-            const bool beside = playing_at(member(who + 1), t).act == Act::applaud;
-            const bool later = playing_at(member(who + 1), t + 1000).act == Act::applaud;
+        for (uint64_t person = 0; person + 1 < 400; ++person) {
+            if (person % 40 == 39) continue;
+            const bool here = playing_at(member(person), t).act == Act::applaud;
+            const bool beside = playing_at(member(person + 1), t).act == Act::applaud;
+            const bool later = playing_at(member(person + 1), t + 1000).act == Act::applaud;
             together += here && beside;
             strangers += here && later;
             applauding += here;

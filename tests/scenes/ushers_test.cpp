@@ -1,4 +1,4 @@
-// The ushers of the odeon: each gets the seat of its class that is nearest and free, no two get one, who leaves frees
+// The ushers of the odeon: each gets the seat of its class that is nearest and free, no two get one, a leaver frees
 // it, and on a bench people go in and out without passing each other.
 #include "samples/scenes/odeon/ushers.h"
 

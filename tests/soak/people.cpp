@@ -132,7 +132,7 @@ void People::group(uint64_t bits)
         return;
     }
     const clq_group one = known.groups[(bits >> 8) % known.groups.size()];
-    const clq_actor who = known.actors[(bits >> 16) % known.actors.size()];
+    const clq_actor person = known.actors[(bits >> 16) % known.actors.size()];
     switch (bits / 3 % 4) {
         case 0:
             for (const clq_actor actor : known.actors) {  // a group that has members stays
@@ -151,13 +151,13 @@ void People::group(uint64_t bits)
             note(clq_group_set_enabled(crowd, one, bits >> 40 & 1));
             break;
         default:
-            note(clq_actor_join(crowd, who, one, &place));
+            note(clq_actor_join(crowd, person, one, &place));
     }
 }
 
 void People::play(uint64_t bits, double time_s)
 {
-    const clq_actor who = known.actors[(bits >> 16) % known.actors.size()];
+    const clq_actor person = known.actors[(bits >> 16) % known.actors.size()];
     const clq_play clip = {0, time_s, 0.5f + static_cast<float>(share(bits, 30)), 0};
     clq_fade_def fade = clq_fade_def_init();
     fade.play = clip;
@@ -165,78 +165,78 @@ void People::play(uint64_t bits, double time_s)
     layer.play = clip, layer.loops = 3, layer.kind = bits & 1 ? CLQ_LAYER_ADD : CLQ_LAYER_REPLACE;
     switch (bits % 5) {
         case 0:
-            note(clq_actor_play(crowd, who, &clip));
+            note(clq_actor_play(crowd, person, &clip));
             break;
         case 1:
-            note(api_test::fade_to(crowd, who, fade, time_s, 0.6f, CLQ_CURVE_INERTIAL));
+            note(api_test::fade_to(crowd, person, fade, time_s, 0.6f, CLQ_CURVE_INERTIAL));
             break;
         case 2:
-            note(clq_actor_add_layer(crowd, who, &layer, nullptr));
+            note(clq_actor_add_layer(crowd, person, &layer, nullptr));
             break;
         case 3:
-            note(clq_actor_set_watched(crowd, who, bits >> 40 & 1));
+            note(clq_actor_set_watched(crowd, person, bits >> 40 & 1));
             break;
         default:
             fade.gait = {1}, fade.share = static_cast<float>(share(bits, 40));
-            note(api_test::fade_to(crowd, who, fade, time_s, 1, CLQ_CURVE_SMOOTH));
+            note(api_test::fade_to(crowd, person, fade, time_s, 1, CLQ_CURVE_SMOOTH));
     }
 }
 
 void People::behave(uint64_t bits, double time_s)
 {
-    const clq_actor who = known.actors[(bits >> 16) % known.actors.size()];
+    const clq_actor person = known.actors[(bits >> 16) % known.actors.size()];
     const uint32_t kind = static_cast<uint32_t>(bits >> 40) % 6 + 1;
     const clq_mechanism_attachment attachment = {{kind}, 0.5f, static_cast<float>(share(bits, 30)), time_s};
     const clq_root_path_play path = {{static_cast<uint32_t>(bits >> 50) % 3}, 1, 0, time_s};
     const double point[3] = {10 * share(bits, 20), 1, -5};
     switch (bits % 6) {
         case 0:
-            note(clq_actor_attach_mechanism(crowd, who, &attachment));
+            note(clq_actor_attach_mechanism(crowd, person, &attachment));
             break;
         case 1:
-            note(clq_actor_detach_mechanism(crowd, who, {kind}));
+            note(clq_actor_detach_mechanism(crowd, person, {kind}));
             break;
         case 2:
-            note(clq_actor_gaze(crowd, who, {TestWorld::gaze + 1}, bits & 64 ? point : nullptr, time_s));
+            note(clq_actor_gaze(crowd, person, {TestWorld::gaze + 1}, bits & 64 ? point : nullptr, time_s));
             break;
         case 3:
-            note(clq_actor_express(crowd, who, {TestWorld::expression + 1}, bits >> 6 & 1, time_s));
+            note(clq_actor_express(crowd, person, {TestWorld::expression + 1}, bits >> 6 & 1, time_s));
             break;
         case 4:
-            note(clq_actor_say(crowd, who, {TestWorld::phrase + 1}, time_s));
+            note(clq_actor_say(crowd, person, {TestWorld::phrase + 1}, time_s));
             break;
         default:
-            note(clq_actor_play_root_path(crowd, who, &path));
+            note(clq_actor_play_root_path(crowd, person, &path));
     }
 }
 
 void People::change(uint64_t bits)
 {
-    clq_actor &who = known.actors[(bits >> 16) % known.actors.size()];
+    clq_actor &person = known.actors[(bits >> 16) % known.actors.size()];
     const clq_transform place = place_of(bits >> 5);
     const float centre[3] = {0, 0.3f, 0};
     clq_attachment attached = {0, 0};
     clq_actor twin = {0, 0};
     switch (bits % 6) {
         case 0:
-            note(clq_crowd_set_transforms(crowd, &who, &place, 1));
+            note(clq_crowd_set_transforms(crowd, &person, &place, 1));
             break;
         case 1:
-            note(clq_actor_set_priority(crowd, who, static_cast<float>(share(bits, 30))));
+            note(clq_actor_set_priority(crowd, person, static_cast<float>(share(bits, 30))));
             break;
         case 2:
-            note(clq_actor_follow_ground(crowd, who, 1, 0.5f));
+            note(clq_actor_follow_ground(crowd, person, 1, 0.5f));
             break;
         case 3:
             if (known.attachments.size() >= most_attachments)
                 note(clq_actor_detach(crowd, take(known.attachments, bits)));
-            note(api_test::attach(crowd, who, 1, centre, static_cast<float>(share(bits, 30)), &attached));
+            note(api_test::attach(crowd, person, 1, centre, static_cast<float>(share(bits, 30)), &attached));
             known.attachments.push_back(attached);
             break;
         case 4:
-            note(clq_actor_clone(crowd, who, &place, bits, &twin));
-            note(clq_actor_destroy(crowd, who));
-            who = twin;
+            note(clq_actor_clone(crowd, person, &place, bits, &twin));
+            note(clq_actor_destroy(crowd, person));
+            person = twin;
             break;
         default:
             if (known.cameras.size() > 1 && bits >> 30 & 1) known.cameras.pop_back();

@@ -65,11 +65,12 @@ TEST_F(RangeSensor, SeesPeopleAllRoundItThroughItsFourViews)
     crowd_.reset(crowd);
     std::set<uint32_t> all, met;
     for (int i = 0; i < 24; ++i) {
-        clq_actor_def who = clq_actor_def_init();
-        who.tmpl = library_.builtin("citizen");
-        who.transform.position[0] = 6 * std::cos(0.2618 * i), who.transform.position[2] = 6 * std::sin(0.2618 * i);
+        clq_actor_def actor_def = clq_actor_def_init();
+        actor_def.tmpl = library_.builtin("citizen");
+        actor_def.transform.position[0] = 6 * std::cos(0.2618 * i),
+        actor_def.transform.position[2] = 6 * std::sin(0.2618 * i);
         clq_actor actor = {};
-        scenes::check(clq_actor_create(crowd, &who, &actor));
+        scenes::check(clq_actor_create(crowd, &actor_def, &actor));
         all.insert(actor.index1);
     }
     const range::Lidar lidar;

@@ -1,4 +1,4 @@
-"""Questions to a crowd: who is where, who is what (claque/scene.h)."""
+"""Queries of a crowd: individuals by place, by state and by category (claque/scene.h)."""
 
 from ctypes import POINTER, byref, c_bool, c_double, c_uint32, c_uint64, cast
 

@@ -38,9 +38,9 @@ static void draw_map(float x0, float y0, float side, const park_eye *eye, int wi
     glEnd();
     glPointSize(2);
     glBegin(GL_POINTS);
-    for (int who = 0; with_people && who < visitors_count(); ++who) {
+    for (int person = 0; with_people && person < visitors_count(); ++person) {
         float x = 0, z = 0;
-        if (visitors_at(who, &x, &z)) glColor4f(0.45f, 1, 0.45f, 1);
+        if (visitors_at(person, &x, &z)) glColor4f(0.45f, 1, 0.45f, 1);
         else glColor4f(1, 0.5f, 0.4f, 0.8f);
         glVertex2f(cx + scale * x, cy - scale * (z + 12));
     }

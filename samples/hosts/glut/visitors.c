@@ -35,32 +35,32 @@ static clq_transform stand(float x, float y, float z, float dx, float dz)
     return transform;
 }
 
-static void enter(int who, clq_transform transform, const char *clip)
+static void enter(int person, clq_transform transform, const char *clip)
 {
     clq_actor_def def = clq_actor_def_init();
-    def.tmpl = templates[(int)(TEMPLATES * paint_random((unsigned)who, 0, 40))];
-    def.transform = places[who] = transform;
+    def.tmpl = templates[(int)(TEMPLATES * paint_random((unsigned)person, 0, 40))];
+    def.transform = places[person] = transform;
     def.play.clip = clq_template_find_clip(def.tmpl, clip);
-    def.play.phase_s = 5 * paint_random((unsigned)who, 1, 40);
-    def.seed = (uint64_t)who;
-    check(clq_actor_create(crowd, &def, &actors[who]));
-    check(clq_actor_randomise_colours(crowd, actors[who], NULL, 0));
+    def.play.phase_s = 5 * paint_random((unsigned)person, 1, 40);
+    def.seed = (uint64_t)person;
+    check(clq_actor_create(crowd, &def, &actors[person]));
+    check(clq_actor_randomise_colours(crowd, actors[person], NULL, 0));
 }
 
 /* Arcs before the bandstand, which faces the eye, with a path left open between them. */
 static void enter_listeners(void)
 {
     static const char *const clips[] = {"stand_applaud", "stand", "applaud", "stand_wave", "stand_laugh", "stand"};
-    for (int who = 0; who < LISTENERS; ++who) {
-        const int row = who / 14, side = who % 14 < 7 ? -1 : 1;
-        const unsigned number = (unsigned)who;
+    for (int person = 0; person < LISTENERS; ++person) {
+        const int row = person / 14, side = person % 14 < 7 ? -1 : 1;
+        const unsigned number = (unsigned)person;
         const float radius = 6.2f + 1.1f * (float)row + 0.3f * paint_random(number, 2, 40);
         const float turn =
             (float)side *
-            ((2.4f + 1.15f * ((float)(who % 7) + 0.5f * (float)(row % 2)) + 0.3f * paint_random(number, 3, 40)) /
+            ((2.4f + 1.15f * ((float)(person % 7) + 0.5f * (float)(row % 2)) + 0.3f * paint_random(number, 3, 40)) /
              radius);
         const float x = radius * sinf(turn), z = radius * cosf(turn);
-        enter(who, stand(x, 0, z - 12, -x, -z), clips[(int)(6 * paint_random(number, 4, 40))]);
+        enter(person, stand(x, 0, z - 12, -x, -z), clips[(int)(6 * paint_random(number, 4, 40))]);
     }
 }
 
@@ -104,9 +104,9 @@ void visitors_create(clq_gl_function (*get_proc_address)(void *user, const char 
     enter_listeners();
     enter_players();
     for (int i = 0; i < WALKERS; ++i) {
-        const int who = LISTENERS + PLAYERS + i;
-        enter(who, walk(i, 0), "walk");
-        check(clq_crowd_set_speeds(crowd, &actors[who], &walking_speed, 1)); /* claque sees places, not speeds */
+        const int person = LISTENERS + PLAYERS + i;
+        enter(person, walk(i, 0), "walk");
+        check(clq_crowd_set_speeds(crowd, &actors[person], &walking_speed, 1)); /* claque sees places, not speeds */
     }
 }
 
@@ -138,11 +138,11 @@ void visitors_destroy(void)
 
 int visitors_count(void) { return VISITORS; }
 
-int visitors_at(int who, float *x, float *z)
+int visitors_at(int person, float *x, float *z)
 {
     clq_actor_info info = clq_actor_info_init();
-    *x = (float)places[who].position[0], *z = (float)places[who].position[2];
-    return clq_actor_get_info(crowd, actors[who], &info) == CLQ_OK && info.visible;
+    *x = (float)places[person].position[0], *z = (float)places[person].position[2];
+    return clq_actor_get_info(crowd, actors[person], &info) == CLQ_OK && info.visible;
 }
 
 clq_draw_stats visitors_stats(void) { return last; }

@@ -11,9 +11,9 @@ void visitors_create(clq_gl_function (*get_proc_address)(void *user, const char 
 void visitors_draw(const park_eye *eye, double time_s, clq_guard guard);
 void visitors_destroy(void);
 
-/* For the map: the position of number `who` on the ground; returns whether it was in view. */
+/* For the map: the position of number `person` on the ground; returns whether it was in view. */
 int visitors_count(void);
-int visitors_at(int who, float *x, float *z);
+int visitors_at(int person, float *x, float *z);
 
 clq_draw_stats visitors_stats(void);
 

@@ -26,15 +26,15 @@ scenes::Own<clq_crowd> people(scenes::Library &library)
     for (uint64_t i = 0; i < 200; ++i) {
         const double angle = scenes::random_between(1, i, scenes::Purpose::heading, 0, 6.2831853),
                      away = 3 + 32 * std::sqrt(scenes::random_unit(1, i, scenes::Purpose::radius));
-        clq_actor_def who = clq_actor_def_init();
-        who.tmpl = library.builtin(names[i % 4]);
-        who.seed = i;
-        who.transform =
+        clq_actor_def actor_def = clq_actor_def_init();
+        actor_def.tmpl = library.builtin(names[i % 4]);
+        actor_def.seed = i;
+        actor_def.transform =
             scenes::stand(away * std::cos(angle), 0, away * std::sin(angle), -std::cos(angle), -std::sin(angle), 1);
-        who.play.clip = clq_template_find_clip(who.tmpl, i % 3 == 0 ? "walk" : "stand");
-        who.play.phase_s = static_cast<float>(i) * 0.13f;
+        actor_def.play.clip = clq_template_find_clip(actor_def.tmpl, i % 3 == 0 ? "walk" : "stand");
+        actor_def.play.phase_s = static_cast<float>(i) * 0.13f;
         clq_actor made = {};
-        check(clq_actor_create(crowd, &who, &made));
+        check(clq_actor_create(crowd, &actor_def, &made));
     }
     return owner;
 }

@@ -49,10 +49,10 @@ void write_individuals(Folder &folder, const DrawnActors &drawn_actors, const Sk
     drawn_actors.write_actors(folder);
     folder.array("sizes.npy", skinned.sizes, {skinned.sizes.size()});
     std::vector<float> places;
-    for (const Individual &who : drawn_actors.individuals())
+    for (const Individual &person : drawn_actors.individuals())
         for (size_t row = 0; row < 4; ++row)
             for (size_t column = 0; column < 4; ++column)
-                places.push_back(who.drawn_actors.model_view[4 * column + row]);
+                places.push_back(person.drawn_actors.model_view[4 * column + row]);
     folder.array("model_view.npy", places, {drawn_actors.individuals().size(), 4, 4});
 }
 

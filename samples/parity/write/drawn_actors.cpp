@@ -29,28 +29,28 @@ DrawnActors::DrawnActors(const clq_view *view) : view_(view)
     clq_view_stats stats = clq_view_stats_init();
     check(clq_view_get_stats(view, &stats));
     for (uint32_t i = 0; i < stats.visible; ++i) {
-        Individual who = {};
-        check(clq_view_get_drawn_actor(view, i, &who.drawn_actors));
-        who.place = i;
-        if (!who.drawn_actors.shadow_only) individuals_.push_back(who);
+        Individual person = {};
+        check(clq_view_get_drawn_actor(view, i, &person.drawn_actors));
+        person.place = i;
+        if (!person.drawn_actors.shadow_only) individuals_.push_back(person);
     }
     std::sort(individuals_.begin(), individuals_.end(), [](const Individual &a, const Individual &b) {
         return a.drawn_actors.actor.index1 < b.drawn_actors.actor.index1;
     });
     // Individuals that are left out leave no gaps.
     std::vector<uint32_t> places;
-    for (const Individual &who : individuals_) places.push_back(who.place);
+    for (const Individual &person : individuals_) places.push_back(person.place);
     std::sort(places.begin(), places.end());
-    for (Individual &who : individuals_) {
-        who.draw_order =
-            static_cast<uint32_t>(std::lower_bound(places.begin(), places.end(), who.place) - places.begin());
-        who.mesh = mesh_of(who.drawn_actors);
-        who.first_vertex = static_cast<uint32_t>(vertices_);
-        who.first_palette = static_cast<uint32_t>(palette_rows_);
-        who.first_weight = static_cast<uint32_t>(morph_weights_);
-        vertices_ += who.drawn_actors.vertex_count;
-        palette_rows_ += who.drawn_actors.joint_count;
-        morph_weights_ += who.drawn_actors.morph_weight_count;
+    for (Individual &person : individuals_) {
+        person.draw_order =
+            static_cast<uint32_t>(std::lower_bound(places.begin(), places.end(), person.place) - places.begin());
+        person.mesh = mesh_of(person.drawn_actors);
+        person.first_vertex = static_cast<uint32_t>(vertices_);
+        person.first_palette = static_cast<uint32_t>(palette_rows_);
+        person.first_weight = static_cast<uint32_t>(morph_weights_);
+        vertices_ += person.drawn_actors.vertex_count;
+        palette_rows_ += person.drawn_actors.joint_count;
+        morph_weights_ += person.drawn_actors.morph_weight_count;
     }
     if (vertices_ > UINT32_MAX || palette_rows_ > UINT32_MAX)
         throw scenes::Failure("more vertices or matrices than a parity folder counts: show fewer individuals");
@@ -74,11 +74,12 @@ uint32_t DrawnActors::mesh_of(const clq_drawn_actor &drawn_actors)
 void DrawnActors::write_actors(Folder &folder) const
 {
     std::vector<uint32_t> table;
-    for (const Individual &who : individuals_)
-        table.insert(table.end(),
-                     {who.drawn_actors.actor.index1, who.mesh, who.first_vertex, who.drawn_actors.vertex_count,
-                      who.first_palette, who.drawn_actors.joint_count, who.first_weight,
-                      who.drawn_actors.morph_weight_count, who.draw_order, who.drawn_actors.mirrored ? 1u : 0u});
+    for (const Individual &person : individuals_)
+        table.insert(
+            table.end(),
+            {person.drawn_actors.actor.index1, person.mesh, person.first_vertex, person.drawn_actors.vertex_count,
+             person.first_palette, person.drawn_actors.joint_count, person.first_weight,
+             person.drawn_actors.morph_weight_count, person.draw_order, person.drawn_actors.mirrored ? 1u : 0u});
     folder.array("actors.npy", table, {individuals_.size(), std::size(columns)});
 }
 
@@ -116,11 +117,11 @@ void DrawnActors::describe(Json &out) const
 Skinned::Skinned(const DrawnActors &drawn_actors)
     : positions(3 * drawn_actors.vertices()), normals(3 * drawn_actors.vertices())
 {
-    for (const Individual &who : drawn_actors.individuals()) {
-        const uint32_t count = who.drawn_actors.vertex_count;
-        float *own = positions.data() + 3 * static_cast<size_t>(who.first_vertex);
-        check(clq_view_get_vertices(drawn_actors.view(), who.place, own,
-                                    normals.data() + 3 * static_cast<size_t>(who.first_vertex), count));
+    for (const Individual &person : drawn_actors.individuals()) {
+        const uint32_t count = person.drawn_actors.vertex_count;
+        float *own = positions.data() + 3 * static_cast<size_t>(person.first_vertex);
+        check(clq_view_get_vertices(drawn_actors.view(), person.place, own,
+                                    normals.data() + 3 * static_cast<size_t>(person.first_vertex), count));
         float longest = 0;
         for (int axis = 0; axis < 3; ++axis) {
             float low = count ? own[axis] : 0, high = low;

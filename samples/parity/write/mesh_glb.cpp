@@ -78,22 +78,22 @@ Json target_of(Glb &glb, const clq_morph_target &target, uint32_t vertex_count)
     for (uint32_t i = 0; i < target.delta_count; ++i) deltas.push_back(target.deltas + i);
     std::sort(deltas.begin(), deltas.end(),
               [](const clq_morph_delta *a, const clq_morph_delta *b) { return a->vertex < b->vertex; });
-    std::vector<uint32_t> who;
+    std::vector<uint32_t> vertices;
     std::vector<float> xyz[2];
     for (const clq_morph_delta *delta : deltas) {
-        who.push_back(delta->vertex);
+        vertices.push_back(delta->vertex);
         xyz[0].insert(xyz[0].end(), delta->position, delta->position + 3);
         xyz[1].insert(xyz[1].end(), delta->normal, delta->normal + 3);
     }
     Json out;
     for (int k = 0; k < 2; ++k) {
         Json accessor = {{"componentType", Glb::real}, {"count", vertex_count}, {"type", "VEC3"}};
-        if (!who.empty())
-            accessor["sparse"] = {
-                {"count", who.size()},
-                {"indices",
-                 {{"bufferView", glb.view(who.data(), 4 * who.size())}, {"componentType", Glb::unsigned_int}}},
-                {"values", {{"bufferView", glb.view(xyz[k].data(), 4 * xyz[k].size())}}}};
+        if (!vertices.empty())
+            accessor["sparse"] = {{"count", vertices.size()},
+                                  {"indices",
+                                   {{"bufferView", glb.view(vertices.data(), 4 * vertices.size())},
+                                    {"componentType", Glb::unsigned_int}}},
+                                  {"values", {{"bufferView", glb.view(xyz[k].data(), 4 * xyz[k].size())}}}};
         out[k == 0 ? "POSITION" : "NORMAL"] = glb.add(accessor);
     }
     return out;

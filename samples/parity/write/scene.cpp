@@ -19,13 +19,14 @@ struct Poses {
         : palettes(12 * drawn_actors.palette_rows()), weights(drawn_actors.morph_weights())
     {
         std::vector<float> columns;
-        for (const Individual &who : drawn_actors.individuals()) {
-            columns.resize(12 * static_cast<size_t>(who.drawn_actors.joint_count));
-            check(clq_view_get_palette(drawn_actors.view(), who.place, columns.data(), who.drawn_actors.joint_count));
-            check(clq_view_get_morph_weights(drawn_actors.view(), who.place, weights.data() + who.first_weight,
-                                             who.drawn_actors.morph_weight_count));
-            float *rows = palettes.data() + 12 * static_cast<size_t>(who.first_palette);
-            for (size_t joint = 0; joint < who.drawn_actors.joint_count; ++joint)
+        for (const Individual &person : drawn_actors.individuals()) {
+            columns.resize(12 * static_cast<size_t>(person.drawn_actors.joint_count));
+            check(clq_view_get_palette(drawn_actors.view(), person.place, columns.data(),
+                                       person.drawn_actors.joint_count));
+            check(clq_view_get_morph_weights(drawn_actors.view(), person.place, weights.data() + person.first_weight,
+                                             person.drawn_actors.morph_weight_count));
+            float *rows = palettes.data() + 12 * static_cast<size_t>(person.first_palette);
+            for (size_t joint = 0; joint < person.drawn_actors.joint_count; ++joint)
                 for (size_t row = 0; row < 3; ++row)
                     for (size_t column = 0; column < 4; ++column)
                         rows[12 * joint + 4 * row + column] = columns[12 * joint + 3 * column + row];
@@ -40,9 +41,9 @@ void write_atlas(Folder &folder, const DrawnActors &drawn_actors)
     const size_t count = drawn_actors.individuals().size(), plates = (count + atlas_rows - 1) / atlas_rows;
     std::vector<uint8_t> atlas(plates * atlas_rows * atlas_columns * 3), rgb;
     for (size_t i = 0; i < count; ++i) {
-        const Individual &who = drawn_actors.individuals()[i];
-        rgb.resize(3 * static_cast<size_t>(who.drawn_actors.zone_count));
-        check(clq_view_get_colours(drawn_actors.view(), who.place, rgb.data(), who.drawn_actors.zone_count));
+        const Individual &person = drawn_actors.individuals()[i];
+        rgb.resize(3 * static_cast<size_t>(person.drawn_actors.zone_count));
+        check(clq_view_get_colours(drawn_actors.view(), person.place, rgb.data(), person.drawn_actors.zone_count));
         const size_t most = 3 * (atlas_columns - 1);  // textures cannot name zones beyond that
         std::copy_n(rgb.begin(), std::min(rgb.size(), most),
                     atlas.begin() + static_cast<std::ptrdiff_t>(3 * (i * atlas_columns + 1)));

@@ -26,15 +26,15 @@ Json matrix_of_rows(const float *rows)
 }
 
 // Joints below a node at the individual's position in eye space; the mesh is beside them, placed by its skin.
-void stand(Json &json, const Individual &who, const float *palette, size_t mesh, const std::string &name)
+void stand(Json &json, const Individual &person, const float *palette, size_t mesh, const std::string &name)
 {
     Json joints = Json::array();
-    for (uint32_t joint = 0; joint < who.drawn_actors.joint_count; ++joint) {
+    for (uint32_t joint = 0; joint < person.drawn_actors.joint_count; ++joint) {
         json["nodes"].push_back({{"matrix", matrix_of_rows(palette + 12 * static_cast<size_t>(joint))}});
         joints.push_back(json["nodes"].size() - 1);
     }
     json["skins"].push_back({{"joints", joints}});
-    json["nodes"].push_back({{"name", name}, {"matrix", who.drawn_actors.model_view}, {"children", joints}});
+    json["nodes"].push_back({{"name", name}, {"matrix", person.drawn_actors.model_view}, {"children", joints}});
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
     json["nodes"].push_back({{"name", name + ", mesh"}, {"mesh", mesh}, {"skin", json["skins"].size() - 1}});
     json["scenes"][0]["nodes"].push_back(json["nodes"].size() - 1);
@@ -80,11 +80,11 @@ std::string scene_glb(const DrawnActors &drawn_actors, const std::vector<float> 
         json["meshes"].push_back(mesh);
     }
     std::vector<bool> stands(drawn_actors.meshes().size(), false);
-    for (const Individual &who : drawn_actors.individuals()) {
-        if (stands[who.mesh]) continue;
-        stands[who.mesh] = true;
-        stand(json, who, palettes.data() + 12 * static_cast<size_t>(who.first_palette), who.mesh,
-              json["meshes"][who.mesh]["name"]);
+    for (const Individual &person : drawn_actors.individuals()) {
+        if (stands[person.mesh]) continue;
+        stands[person.mesh] = true;
+        stand(json, person, palettes.data() + 12 * static_cast<size_t>(person.first_palette), person.mesh,
+              json["meshes"][person.mesh]["name"]);
     }
     add_camera(json, projection);
     return glb.file();

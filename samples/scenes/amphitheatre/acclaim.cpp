@@ -16,9 +16,9 @@ constexpr double shortest_stand_s = 3.4;
 constexpr double quiet_s = 8;                       // about the length of a quiet clip
 constexpr double source_x_m = 70, source_z_m = 55;  // where waves start
 
-uint64_t of(int64_t number, uint64_t who)
+uint64_t of(int64_t number, uint64_t person)
 {
-    return who * 0x10001u + static_cast<uint64_t>(number) * 0x9e3779b97f4a7c15u;
+    return person * 0x10001u + static_cast<uint64_t>(number) * 0x9e3779b97f4a7c15u;
 }
 
 // One clip a whole number of times within a stretch of time.
@@ -44,14 +44,15 @@ Act chosen(const std::array<double, seated_count> &weights, double at)
 // The clip at a time within a quiet stretch.
 Playing quiet(const Spectator &s, int64_t number, double begin_s, double end_s, double time_s)
 {
-    const double pace = random_between(s.seed, s.who, Purpose::speed, 0.85, 1.2);
+    const double pace = random_between(s.seed, s.person, Purpose::speed, 0.85, 1.2);
     const double slots = std::max(1.0, std::floor((end_s - begin_s) * pace / quiet_s + 0.5));
     const double each = (end_s - begin_s) / slots;
     const double slot = std::clamp(std::floor((time_s - begin_s) / each), 0.0, slots - 1);
     std::array<double, seated_count> weights = s.temperament.odds;
-    weights[1] *= random_between(s.seed, s.who, Purpose::temper, 0.2, 1.4);
-    weights[3] *= random_between(s.seed, s.who + 0x100000u, Purpose::temper, 0.3, 2.0);
-    const Act act = chosen(weights, random_unit(s.seed, of(number, s.who) + static_cast<uint64_t>(slot), Purpose::act));
+    weights[1] *= random_between(s.seed, s.person, Purpose::temper, 0.2, 1.4);
+    weights[3] *= random_between(s.seed, s.person + 0x100000u, Purpose::temper, 0.3, 2.0);
+    const Act act =
+        chosen(weights, random_unit(s.seed, of(number, s.person) + static_cast<uint64_t>(slot), Purpose::act));
     const double first = begin_s + slot * each, last = slot + 1 < slots ? begin_s + (slot + 1) * each : end_s;
     return fitted(s, act, first, last);
 }
@@ -59,7 +60,7 @@ Playing quiet(const Spectator &s, int64_t number, double begin_s, double end_s, 
 // The clip at a time within an acclamation.
 Playing excited(const Spectator &s, int64_t number, double begin_s, double end_s, double time_s)
 {
-    const uint64_t id = of(number, s.who);
+    const uint64_t id = of(number, s.person);
     const double strength = wave(s.seed, number).strength;
     const auto draw = [&](uint64_t k) { return random_unit(s.seed, id + k, Purpose::temper); };
     const double up = s.duration_s[static_cast<size_t>(Act::rise)],
@@ -91,7 +92,7 @@ double arrival_s(const Spectator &s, int64_t number)
     const Wave w = wave(s.seed, number);
     const double dx = s.x - w.x, dz = s.z - w.z;
     return w.start_s + std::sqrt(dx * dx + dz * dz) / wave_m_per_s +
-           random_between(s.seed, of(number, s.who), Purpose::phase, 0, reaction_s);
+           random_between(s.seed, of(number, s.person), Purpose::phase, 0, reaction_s);
 }
 
 double odds_of_joining(const Spectator &s, int64_t number)
@@ -107,7 +108,7 @@ Playing playing_at(const Spectator &s, double time_s)
     double begin = arrival_s(s, number), next = begin;
     while (begin > time_s) next = begin, begin = arrival_s(s, --number);
     if (next == begin) next = arrival_s(s, number + 1);
-    const uint64_t id = of(number, s.who);
+    const uint64_t id = of(number, s.person);
     if (random_unit(s.seed, id, Purpose::tries) >= odds_of_joining(s, number))
         return quiet(s, number, begin, next, time_s);
     const double end = begin + random_between(s.seed, id, Purpose::speed, shortest_s, longest_s);

@@ -10,7 +10,7 @@ namespace scenes::amphitheatre
 {
 
 struct Spectator {
-    uint64_t seed = 0, who = 0;
+    uint64_t seed = 0, person = 0;
     double x = 0, z = 0;
     Temperament temperament = Temperament::grave;
     std::array<double, act_count> duration_s = {};  // of its character's clips, each above 0

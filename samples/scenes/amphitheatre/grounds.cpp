@@ -121,19 +121,19 @@ Geometry houses(const Plan &plan, const Daylight &light, uint64_t seed)
     House house(out, light);
     for (int row = -reach; row <= reach; ++row)
         for (int column = -reach; column <= reach; ++column) {
-            const uint64_t who = static_cast<uint64_t>((row + reach) * 64 + column + reach);
-            const double x = column * block_m + random_between(seed, who, Purpose::place_x, -2.5, 2.5),
-                         z = row * block_m + random_between(seed, who, Purpose::place_z, -2.5, 2.5);
+            const uint64_t person = static_cast<uint64_t>((row + reach) * 64 + column + reach);
+            const double x = column * block_m + random_between(seed, person, Purpose::place_x, -2.5, 2.5),
+                         z = row * block_m + random_between(seed, person, Purpose::place_z, -2.5, 2.5);
             const double away = plan.oval().bearing(x, z).out - building_m;
-            if (away < paved_m + 14 || away > 235 || random_unit(seed, who, Purpose::tries) < 0.13) continue;
-            const double grey = random_between(seed, who, Purpose::tone, 0.78, 1.0),
-                         red = random_unit(seed, who, Purpose::grain);
+            if (away < paved_m + 14 || away > 235 || random_unit(seed, person, Purpose::tries) < 0.13) continue;
+            const double grey = random_between(seed, person, Purpose::tone, 0.78, 1.0),
+                         red = random_unit(seed, person, Purpose::grain);
             const Rgb wall = mix({0.95f, 0.86f, 0.70f}, {0.84f, 0.60f, 0.45f}, red) * static_cast<float>(grey);
-            const double high = random_between(seed, who, Purpose::size, 5, 12.5);
-            house.build(x, z, random_between(seed, who, Purpose::lane, 5.5, 8),
-                        random_between(seed, who, Purpose::gap, 4.5, 7.2), high,
-                        random_between(seed, who, Purpose::radius, 1.4, 2.4), wall,
-                        roof_tile * static_cast<float>(random_between(seed, who, Purpose::slab, 0.8, 1.12)));
+            const double high = random_between(seed, person, Purpose::size, 5, 12.5);
+            house.build(x, z, random_between(seed, person, Purpose::lane, 5.5, 8),
+                        random_between(seed, person, Purpose::gap, 4.5, 7.2), high,
+                        random_between(seed, person, Purpose::radius, 1.4, 2.4), wall,
+                        roof_tile * static_cast<float>(random_between(seed, person, Purpose::slab, 0.8, 1.12)));
         }
     return out;
 }

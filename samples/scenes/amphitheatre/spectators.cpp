@@ -46,10 +46,10 @@ size_t kind_of(Tier tier, uint64_t seed, size_t seat)
 }
 
 // A turn towards a place in the arena: neighbours look at things that are near each other, with a rest of their own.
-double gaze_deg(const Seat &seat, uint64_t seed, size_t who)
+double gaze_deg(const Seat &seat, uint64_t seed, size_t person)
 {
     return greatest_gaze_deg * std::clamp(1.5 * gradient_noise(seed + 7, seat.x / 9, seat.z / 9) +
-                                              random_between(seed, who, Purpose::heading, -0.5, 0.5),
+                                              random_between(seed, person, Purpose::heading, -0.5, 0.5),
                                           -1.0, 1.0);
 }
 
@@ -140,7 +140,7 @@ Spectators::Spectators(Figures &figures, SceneCrowd &crowd, const Plan &plan, co
     for (const Sitter &sitter : seat_people(plan, people, seed)) {
         const size_t t = static_cast<size_t>(sitter.tier), figure = worn[t][sitter.kind];
         Spectator spectator;
-        spectator.seed = seed, spectator.who = sitter.seat;
+        spectator.seed = seed, spectator.person = sitter.seat;
         spectator.x = sitter.place.position[0], spectator.z = sitter.place.position[2];
         spectator.temperament = orders_of(sitter.tier)[sitter.kind].temperament;
         spectator.duration_s = figures[figure].duration_s;

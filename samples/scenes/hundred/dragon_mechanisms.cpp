@@ -150,14 +150,14 @@ void DragonMechanisms::add_roar(const clq_template *dragon)
     roar_ = add(def);
 }
 
-void DragonMechanisms::attach(clq_actor actor, uint64_t who) const
+void DragonMechanisms::attach(clq_actor actor, uint64_t number) const
 {
     const clq_mechanism all[] = {bearing_, face_, roar_, gaze_};
     for (uint32_t k = 0; k < 4; ++k) {
         clq_mechanism_attachment use = {};
         use.mechanism = all[k];
         use.priority = static_cast<float>(k);
-        use.phase_s = static_cast<float>(random_between(k + 1, who, Purpose::phase, 0, 60));
+        use.phase_s = static_cast<float>(random_between(k + 1, number, Purpose::phase, 0, 60));
         check(clq_actor_attach_mechanism(crowd_, actor, &use));
     }
 }

@@ -12,7 +12,7 @@ class DragonMechanisms
 public:
     // The crowd must already have an actor of the template.
     DragonMechanisms(clq_crowd *crowd, const clq_template *dragon);
-    void attach(clq_actor actor, uint64_t who) const;
+    void attach(clq_actor actor, uint64_t number) const;
 
 private:
     void add_gaze(const clq_template *dragon);

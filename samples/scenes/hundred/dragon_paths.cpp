@@ -63,12 +63,12 @@ DragonPaths::DragonPaths(clq_crowd *crowd)
 {
 }
 
-void DragonPaths::send(clq_actor actor, PathKind way, uint64_t who) const
+void DragonPaths::send(clq_actor actor, PathKind way, uint64_t number) const
 {
     clq_root_path_play motion = {};
     motion.path = paths_[static_cast<size_t>(way)];
-    motion.speed = static_cast<float>(random_between(1, who, Purpose::speed, 0.85, 1.15));
-    motion.phase_s = static_cast<float>(random_between(1, who, Purpose::lane, 0, 60));
+    motion.speed = static_cast<float>(random_between(1, number, Purpose::speed, 0.85, 1.15));
+    motion.phase_s = static_cast<float>(random_between(1, number, Purpose::lane, 0, 60));
     check(clq_actor_play_root_path(crowd_, actor, &motion));
 }
 

@@ -11,7 +11,7 @@ class DragonPaths
 {
 public:
     explicit DragonPaths(clq_crowd *crowd);
-    void send(clq_actor actor, PathKind way, uint64_t who) const;
+    void send(clq_actor actor, PathKind way, uint64_t number) const;
 
 private:
     clq_crowd *crowd_;

@@ -39,13 +39,13 @@ public:
           spots_(hundred::find_spots(spheres_, crowd_options.seed)),
           sky_(crowd_options.seed, Sky::Land::hills)
     {
-        for (uint64_t who = 0; who < spots_.size(); ++who) enter(crowd_options.seed, who);
+        for (uint64_t number = 0; number < spots_.size(); ++number) enter(crowd_options.seed, number);
         const hundred::DragonPaths ways(crowd());
         const hundred::DragonMechanisms manners(crowd(), dragon_);
-        for (uint64_t who = 0; who < spots_.size(); ++who) {
-            const clq_actor actor = scene_crowd_.actors()[who];
-            ways.send(actor, spots_[who].way, crowd_options.seed * actors_of_table_2 + who);
-            manners.attach(actor, crowd_options.seed * actors_of_table_2 + who);
+        for (uint64_t number = 0; number < spots_.size(); ++number) {
+            const clq_actor actor = scene_crowd_.actors()[number];
+            ways.send(actor, spots_[number].way, crowd_options.seed * actors_of_table_2 + number);
+            manners.attach(actor, crowd_options.seed * actors_of_table_2 + number);
         }
         hundred::fill_lake(water_, rocks_, spots_, spheres_, crowd_options.seed);
         hundred::draw_plan(plan_, spots_, spheres_);
@@ -87,13 +87,13 @@ public:
     }
 
 private:
-    void enter(uint64_t seed, uint64_t who)
+    void enter(uint64_t seed, uint64_t number)
     {
         clq_play play = {};
-        play.speed = static_cast<float>(random_between(seed, who, Purpose::speed, 0.85, 1.15));
-        play.phase_s = static_cast<float>(random_between(seed, who, Purpose::phase, 0, 60));
-        const uint32_t house = static_cast<uint32_t>(random_unit(seed, who, Purpose::tone) * hundred::house_count);
-        scene_crowd_.enter({dragon_, spots_[who].place, play}, who, hundred::palette_of(house));
+        play.speed = static_cast<float>(random_between(seed, number, Purpose::speed, 0.85, 1.15));
+        play.phase_s = static_cast<float>(random_between(seed, number, Purpose::phase, 0, 60));
+        const uint32_t house = static_cast<uint32_t>(random_unit(seed, number, Purpose::tone) * hundred::house_count);
+        scene_crowd_.enter({dragon_, spots_[number].place, play}, number, hundred::palette_of(house));
     }
 
     SceneCrowd scene_crowd_;

@@ -50,7 +50,7 @@ struct Rock {
     double top() const { return 0.86 * high * size + 5; }  // of its trees
 };
 
-void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t who)
+void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t number)
 {
     const float fx = static_cast<float>(rock.x), fz = static_cast<float>(rock.z), s = static_cast<float>(rock.size);
     const float high = static_cast<float>(rock.high);
@@ -58,7 +58,7 @@ void add_rock(Geometry &rocks, const Rock &rock, uint64_t seed, uint64_t who)
     rocks.turned(fx, fz, {{0.72f * s, 0.60f * high * s}, {0.50f * s, 0.80f * high * s}, {0.0f, 0.86f * high * s}}, 9,
                  moss);
     for (uint64_t k = 0; k < 3; ++k) {
-        const uint64_t tree = who * 8 + k;
+        const uint64_t tree = number * 8 + k;
         const double turn = random_between(seed, tree, Purpose::tree, 0, two_pi),
                      out = 0.42 * rock.size * static_cast<double>(k + 1) / 3;
         const float tx = static_cast<float>(rock.x + out * std::sin(turn)),
@@ -92,13 +92,14 @@ void fill_lake(Geometry &water, Geometry &rocks, const std::vector<Spot> &spots,
 {
     add_water(water);
     // Away from the eye, larger with the distance.
-    for (uint64_t who = 0; who < 60; ++who) {
-        const double far = 70 + 420 * random_unit(seed, who, Purpose::place_x) * random_unit(seed, who, Purpose::row);
-        const double turn = random_between(seed, who, Purpose::heading, -1.5, 1.5);
+    for (uint64_t number = 0; number < 60; ++number) {
+        const double far =
+            70 + 420 * random_unit(seed, number, Purpose::place_x) * random_unit(seed, number, Purpose::row);
+        const double turn = random_between(seed, number, Purpose::heading, -1.5, 1.5);
         const Rock rock = {far * std::sin(turn), -far * std::cos(turn),
-                           random_between(seed, who, Purpose::gap, 3, 6) * (0.6 + far / 240),
-                           random_between(seed, who, Purpose::size, 0.8, 2.2)};
-        if (is_clear(rock, spots, spheres)) add_rock(rocks, rock, seed, who);
+                           random_between(seed, number, Purpose::gap, 3, 6) * (0.6 + far / 240),
+                           random_between(seed, number, Purpose::size, 0.8, 2.2)};
+        if (is_clear(rock, spots, spheres)) add_rock(rocks, rock, seed, number);
     }
 }
 

@@ -61,7 +61,7 @@ public:
           sky_(crowd_options.seed, Sky::Land::hills),
           painted_(static_cast<float>(line_m(first_worn(side_))), static_cast<float>(-line_m(first_worn(side_))))
     {
-        for (uint32_t who = 0; who < crowd_options.count; ++who) enter(who);
+        for (uint32_t person = 0; person < crowd_options.count; ++person) enter(person);
         lay_ground();
         shadows_.cast(scene_crowd_.places(), light_.to_sun, height_m, shadow_width_m);
         if (view_ == View::whole) painted_.paint(shadows_);
@@ -110,23 +110,23 @@ private:
     // From that distance all shadows are a few pixels, most of them behind people, who stand still. Ten thousand
     // blended triangles would take as long as half of the people.
     bool afar(const Eye &eye) const { return view_ == View::whole && eye.position[2] > side_ * spacing_m; }
-    void enter(uint32_t who)
+    void enter(uint32_t person)
     {
-        clq_template *tmpl = templates_[static_cast<size_t>(random_unit(seed_, who, Purpose::seat) *
+        clq_template *tmpl = templates_[static_cast<size_t>(random_unit(seed_, person, Purpose::seat) *
                                                             static_cast<double>(templates_.size()))];
         const double middle = (side_ - 1) / 2.0;
         const double x =
-            (who % side_ - middle) * spacing_m + random_between(seed_, who, Purpose::place_x, -1, 1) * jitter_m;
+            (person % side_ - middle) * spacing_m + random_between(seed_, person, Purpose::place_x, -1, 1) * jitter_m;
         const double z =
-            (middle - who / side_) * spacing_m + random_between(seed_, who, Purpose::place_z, -1, 1) * jitter_m;
-        const double turn = random_between(seed_, who, Purpose::heading, -0.5, 0.5);
+            (middle - person / side_) * spacing_m + random_between(seed_, person, Purpose::place_z, -1, 1) * jitter_m;
+        const double turn = random_between(seed_, person, Purpose::heading, -0.5, 0.5);
         clq_play play = {};
-        play.clip = clq_template_find_clip(tmpl, clips[random_bits(seed_, who, Purpose::clip) % clips.size()]);
+        play.clip = clq_template_find_clip(tmpl, clips[random_bits(seed_, person, Purpose::clip) % clips.size()]);
         play.speed = 1;
         clq_clip_info info = clq_clip_info_init();
         check(clq_template_get_clip(tmpl, play.clip, &info));
-        play.phase_s = static_cast<float>(random_unit(seed_, who, Purpose::phase) * info.duration_s);
-        const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
+        play.phase_s = static_cast<float>(random_unit(seed_, person, Purpose::phase) * info.duration_s);
+        const float size = static_cast<float>(random_between(seed_, person, Purpose::size, 0.94, 1.06));
         scene_crowd_.enter({tmpl, stand(x, 0, z, std::sin(turn), std::cos(turn), size), play});
     }
 

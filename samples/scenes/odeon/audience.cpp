@@ -36,7 +36,7 @@ std::vector<Member> members_of(const Theatre &theatre, const std::vector<Seat> &
     for (const Sitter &sitter : sitters) {
         Member member;
         member.seed = seed;
-        member.who = sitter.seat;
+        member.person = sitter.seat;
         member.x = seats[sitter.seat].x;
         member.z = seats[sitter.seat].z;
         member.aside_m = aside_of(seats, taken, sitter.seat);

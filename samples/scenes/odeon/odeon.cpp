@@ -21,9 +21,9 @@ public:
 
     clq_crowd *crowd() const override { return audience_.crowd(); }
     std::vector<clq_actor> actors() const override { return audience_.actors(); }
-    std::string class_of(size_t who) const override
+    std::string class_of(size_t person) const override
     {
-        return building_.theatre().classes[audience_.sitters()[who].social_class].name;
+        return building_.theatre().classes[audience_.sitters()[person].social_class].name;
     }
     std::vector<clq_template *> templates() const override { return audience_.templates(); }
 

@@ -44,7 +44,7 @@ public:
     Writer(const Member &member, int64_t number, double begin_s)
         : m_(member), number_(static_cast<uint64_t>(number)), begin_s_(begin_s)
     {
-        const double pace = random_between(m_.seed, m_.who, Purpose::speed, 0.92, 1.08);
+        const double pace = random_between(m_.seed, m_.person, Purpose::speed, 0.92, 1.08);
         wanted_s_ = block_s * pace;
         shortest_s_ = *std::min_element(m_.duration_s.begin(), m_.duration_s.begin() + 4);
     }
@@ -63,7 +63,7 @@ private:
     double duration(Act act) const { return m_.duration_s[static_cast<size_t>(act)]; }
     double draw()
     {
-        return random_unit(m_.seed, m_.who * 0x10001u + number_ * 0x9e3779b97f4a7c15u + draws_++, Purpose::act);
+        return random_unit(m_.seed, m_.person * 0x10001u + number_ * 0x9e3779b97f4a7c15u + draws_++, Purpose::act);
     }
     void add(Act act)
     {
@@ -76,8 +76,8 @@ private:
         const Temperament &temperament = m_.temperament;
         std::array<double, seated_count> weights = temperament.odds;
         // Some are restless, some talkative, some hold still.
-        const double restless = random_between(m_.seed, m_.who, Purpose::temper, 0.4, 1.8);
-        const double talkative = random_between(m_.seed, m_.who + 0x100000u, Purpose::temper, 0.3, 2.0);
+        const double restless = random_between(m_.seed, m_.person, Purpose::temper, 0.4, 1.8);
+        const double talkative = random_between(m_.seed, m_.person + 0x100000u, Purpose::temper, 0.3, 2.0);
         weights[1] *= m_.aside_m < aside_to_lean_m ? 0 : restless;
         weights[2] *= restless;
         weights[3] *= talkative;
@@ -152,7 +152,7 @@ const char *clip_name(Act act)
 
 Playing playing_at(const Member &member, double time_s)
 {
-    const double shift = random_unit(member.seed, member.who, Purpose::phase) * block_s;
+    const double shift = random_unit(member.seed, member.person, Purpose::phase) * block_s;
     const int64_t number = static_cast<int64_t>(std::floor((time_s + shift) / block_s));
     const double begin = static_cast<double>(number) * block_s - shift;
     const Block block = Writer(member, number, begin).write();

@@ -34,7 +34,7 @@ constexpr size_t act_count = 15;  // the first seated_count are seated
 const char *clip_name(Act act);
 
 struct Member {
-    uint64_t seed = 0, who = 0;
+    uint64_t seed = 0, person = 0;
     double x = 0, z = 0;  // of the seat, metres
     // Sideways to the nearest sitter in the row in front. Rising or leaning forward needs room for head and chest.
     double aside_m = 9;

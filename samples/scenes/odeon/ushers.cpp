@@ -44,7 +44,7 @@ void Ushers::ask(size_t question, size_t guest, const Send &send)
 size_t Ushers::add(const Spectator &spectator)
 {
     Guest guest;
-    guest.who = spectator;
+    guest.person = spectator;
     guests_.push_back(guest);
     return guests_.size() - 1;
 }
@@ -70,7 +70,7 @@ double Ushers::way_m(const Guest &guest, size_t number) const
     const Bench &bench = benches_[number];
     const double angle = bench.gangway_deg * radians, radius = theatre_.orchestra_radius_m;
     const double x = radius * std::sin(angle), z = -radius * std::cos(angle);
-    double way = std::hypot(x - guest.who.entrance[0], z - guest.who.entrance[2]) + bench.climb_m;
+    double way = std::hypot(x - guest.person.entrance[0], z - guest.person.entrance[2]) + bench.climb_m;
     // Those who were shown to the same gangway and have no seat yet.
     for (size_t other = 0; other < benches_.size(); ++other)
         if (benches_[other].gangway_deg == bench.gangway_deg)
@@ -81,7 +81,7 @@ double Ushers::way_m(const Guest &guest, size_t number) const
 void Ushers::give_bench(size_t number)
 {
     Guest &guest = guests_[number];
-    const std::string &own = guest.who.social_class;
+    const std::string &own = guest.person.social_class;
     size_t best = nowhere;
     double least = 1e300;
     for (size_t i = 0; i < benches_.size(); ++i) {
@@ -89,7 +89,7 @@ void Ushers::give_bench(size_t number)
         const double way = way_m(guest, i);
         if (way < least) least = way, best = i;
     }
-    if (best == nowhere || guest.bench != nowhere) return answer("full", number, guest.who.entrance);
+    if (best == nowhere || guest.bench != nowhere) return answer("full", number, guest.person.entrance);
     guest.bench = best;
     ++rows_[best].promised;
     answer("bench", number, benches_[best].entry);
@@ -98,10 +98,10 @@ void Ushers::give_bench(size_t number)
 void Ushers::give_seat(size_t number)
 {
     Guest &guest = guests_[number];
-    if (guest.bench == nowhere || guest.slot != nowhere) return answer("full", number, guest.who.entrance);
+    if (guest.bench == nowhere || guest.slot != nowhere) return answer("full", number, guest.person.entrance);
     guest.slot = rows_[guest.bench].sitting.size();
     rows_[guest.bench].sitting.push_back(number);
-    const clq_transform place = place_of(seat_of(number), guest.who.scale);
+    const clq_transform place = place_of(seat_of(number), guest.person.scale);
     const double heading =
         2 * std::atan2(double(place.orientation_xyzw[1]), double(place.orientation_xyzw[3])) / radians;
     answer("seat", number, {place.position[0], place.position[1], place.position[2]}, heading);
@@ -113,7 +113,7 @@ bool Ushers::is_shut_in(const Guest &guest) const { return guest.slot + 1 < rows
 void Ushers::let_go(size_t number)
 {
     Guest &guest = guests_[number];
-    if (guest.slot == nowhere) return answer("free", number, guest.who.entrance);
+    if (guest.slot == nowhere) return answer("free", number, guest.person.entrance);
     guest.waits = true;
     free_last(guest.bench);
 }
@@ -125,7 +125,7 @@ void Ushers::free_last(size_t bench)
     Guest &guest = guests_[last];
     if (!guest.waits) return;
     guest.waits = false;
-    const clq_transform place = place_of(seat_of(last), guest.who.scale);
+    const clq_transform place = place_of(seat_of(last), guest.person.scale);
     answer("free", last, {place.position[0], place.position[1], place.position[2]});
 }
 
@@ -144,7 +144,7 @@ void Ushers::take_back(size_t number)
 void Ushers::show_out(size_t number)
 {
     const Guest &guest = guests_[number];
-    const std::array<double, 3> &in = guest.who.entrance;
+    const std::array<double, 3> &in = guest.person.entrance;
     const double aside = random_between(seed_, number, Purpose::lane, -0.8, 0.8);
     // On the side on which one came.
     std::array<double, 3> out = outside_[number % outside_.size()];

@@ -17,7 +17,7 @@
 namespace scenes
 {
 
-// Someone who comes.
+// A person that comes.
 struct Spectator {
     std::string social_class;  // as rows name it
     float scale = 1;
@@ -57,7 +57,7 @@ public:
 
 private:
     struct Guest {
-        Spectator who;
+        Spectator person;
         size_t bench = nowhere, slot = nowhere;
         bool waits = false;  // to leave
     };

@@ -63,9 +63,9 @@ public:
         clq_crowd *crowd = nullptr;
         check(clq_crowd_create(library.context(), &def, &crowd));
         crowd_.reset(crowd);
-        clq_actor_def who = clq_actor_def_init();
-        who.tmpl = tmpl, who.transform.scale = scale;
-        check(clq_actor_create(crowd, &who, &actor_));
+        clq_actor_def actor_def = clq_actor_def_init();
+        actor_def.tmpl = tmpl, actor_def.transform.scale = scale;
+        check(clq_actor_create(crowd, &actor_def, &actor_));
         check(clq_actor_follow_track(crowd, actor_, track, 0));
         check(clq_view_create(crowd, &view_));
         scale_ = static_cast<double>(scale);

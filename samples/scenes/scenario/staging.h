@@ -1,4 +1,4 @@
-// What a scenario says of agents that decide (docs/scenarios.md): who they are, where they come from, what they walk
+// What a scenario says of agents that decide (docs/scenarios.md): what they are, where they come from, what they walk
 // on, and how long they are watched. Positions are those of the scene: x to the east, y up, z to the south, metres.
 #pragma once
 

@@ -18,15 +18,16 @@ constexpr double tau = 2 * 3.14159265358979323846;
 // The distance at which the template's nodes stop (S0 5.2); beyond it a mechanism has nothing to write.
 constexpr float face_stops_m = 35, neck_stops_m = 160;
 
-clq_transform somewhere(uint64_t seed, uint32_t who, const std::array<double, 3> &middle)
+clq_transform somewhere(uint64_t seed, uint32_t number, const std::array<double, 3> &middle)
 {
-    const double away = sky_radius_m * std::sqrt(random_unit(seed, who, Purpose::radius));
-    const double angle = tau * random_unit(seed, who, Purpose::place_x),
-                 heading = tau * random_unit(seed, who, Purpose::heading);
-    const double height = lowest_m + (highest_m - lowest_m) * std::pow(random_unit(seed, who, Purpose::place_z), 1.6);
+    const double away = sky_radius_m * std::sqrt(random_unit(seed, number, Purpose::radius));
+    const double angle = tau * random_unit(seed, number, Purpose::place_x),
+                 heading = tau * random_unit(seed, number, Purpose::heading);
+    const double height =
+        lowest_m + (highest_m - lowest_m) * std::pow(random_unit(seed, number, Purpose::place_z), 1.6);
     return stand(middle[0] + away * std::sin(angle), middle[1] + height, middle[2] + away * std::cos(angle),
                  std::sin(heading), std::cos(heading),
-                 static_cast<float>(random_between(seed, who, Purpose::size, 0.9, 1.1)));
+                 static_cast<float>(random_between(seed, number, Purpose::size, 0.9, 1.1)));
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ clq_transform somewhere(uint64_t seed, uint32_t who, const std::array<double, 3>
 Flyers::Flyers(Library &library, const CrowdOptions &crowd_options, const std::array<double, 3> &middle)
     : seed_(crowd_options.seed), scene_crowd_(library, crowd_options), template_(library.builtin("herald"))
 {
-    for (uint32_t who = 0; who < crowd_options.count; ++who) enter(who, middle);
+    for (uint32_t number = 0; number < crowd_options.count; ++number) enter(number, middle);
 }
 
 uint32_t Flyers::dof(const char *name) const
@@ -140,25 +141,25 @@ void Flyers::describe_mechanisms()
     add(idle);
 }
 
-void Flyers::enter(uint32_t who, const std::array<double, 3> &middle)
+void Flyers::enter(uint32_t number, const std::array<double, 3> &middle)
 {
     clq_play play = {};
     play.clip = clq_template_find_clip(template_, "fly");
     play.speed = 1;
-    scene_crowd_.enter({template_, somewhere(seed_, who, middle), play});
+    scene_crowd_.enter({template_, somewhere(seed_, number, middle), play});
     // Mechanisms need a template that the crowd has: the first actor brings it.
-    if (who == 0) describe_paths(), describe_mechanisms();
+    if (number == 0) describe_paths(), describe_mechanisms();
     const clq_actor actor = scene_crowd_.actors().back();
     clq_root_path_play motion = {};
-    motion.path = paths_[random_bits(seed_, who, Purpose::lane) % paths_.size()];
-    motion.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.8, 1.2));
-    motion.phase_s = static_cast<float>(30 * random_unit(seed_, who, Purpose::phase));
+    motion.path = paths_[random_bits(seed_, number, Purpose::lane) % paths_.size()];
+    motion.speed = static_cast<float>(random_between(seed_, number, Purpose::speed, 0.8, 1.2));
+    motion.phase_s = static_cast<float>(30 * random_unit(seed_, number, Purpose::phase));
     check(clq_actor_play_root_path(scene_crowd_.crowd(), actor, &motion));
     for (size_t k = 0; k < mechanisms_.size(); ++k) {
         clq_mechanism_attachment use = {};
         use.mechanism = mechanisms_[k];
         use.priority = static_cast<float>(k);
-        use.phase_s = static_cast<float>(40 * random_unit(seed_, who * 8 + k, Purpose::act));
+        use.phase_s = static_cast<float>(40 * random_unit(seed_, number * 8 + k, Purpose::act));
         check(clq_actor_attach_mechanism(scene_crowd_.crowd(), actor, &use));
     }
 }

@@ -20,7 +20,7 @@ public:
 private:
     void describe_mechanisms();
     void describe_paths();
-    void enter(uint32_t who, const std::array<double, 3> &middle);
+    void enter(uint32_t number, const std::array<double, 3> &middle);
     uint32_t dof(const char *name) const;
 
     uint64_t seed_;

@@ -126,13 +126,13 @@ private:
     // Behind the houses: lawns, beds in rows, a yard here and there.
     void plot(size_t i, size_t k)
     {
-        const uint64_t who = i * 4096 + k;
-        const double share = random_unit(seed_, who, Purpose::act);
-        const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, random_unit(seed_, who, Purpose::tone));
+        const uint64_t number = i * 4096 + k;
+        const double share = random_unit(seed_, number, Purpose::act);
+        const Rgb lawns = blend(garden, {0.70f, 0.72f, 0.40f}, random_unit(seed_, number, Purpose::tone));
         if (by_street(i, k)) flat(i, k, SurfaceKind::land, lawns, land_metres);
         else if (share < 0.36)
             rows(i, k, SurfaceKind::furrows, share < 0.18 ? Rgb{0.70f, 0.62f, 0.46f} : Rgb{0.58f, 0.74f, 0.40f}, 2.2,
-                 who);
+                 number);
         else if (share < 0.48) flat(i, k, SurfaceKind::land, sand, land_metres);
         else flat(i, k, SurfaceKind::land, lawns, land_metres);
     }
@@ -146,9 +146,9 @@ private:
         return paved(i - 1, k) || paved(i + 1, k) || paved(i, k - 1) || paved(i, k + 1);
     }
 
-    void rows(size_t i, size_t k, SurfaceKind layer, Rgb colour, double closer, uint64_t who)
+    void rows(size_t i, size_t k, SurfaceKind layer, Rgb colour, double closer, uint64_t number)
     {
-        const bool turned = random_unit(seed_, who, Purpose::row) < 0.5;
+        const bool turned = random_unit(seed_, number, Purpose::row) < 0.5;
         put(i, k, layer, colour, 0.16, [&](size_t column, size_t row) {
             const double s = u_[column] / furrows_metres * closer, t = v_[row] / furrows_metres * closer;
             return turned ? Texel{t, s} : Texel{s, t};

@@ -52,8 +52,8 @@ void plant_hedges(Pieces &pieces, const Plan &plan, const Terrain &terrain, cons
 {
     const std::vector<double> u = plan.lines_u(), v = plan.lines_v();
     const auto garden = [&](size_t i, size_t k) { return plan.cover(i, k) == Cover::garden; };
-    const auto between = [&](double u0, double v0, double u1, double v1, uint64_t who) {
-        if (random_unit(seed, who, Purpose::gap) > 0.45) return;
+    const auto between = [&](double u0, double v0, double u1, double v1, uint64_t number) {
+        if (random_unit(seed, number, Purpose::gap) > 0.45) return;
         const double du = u1 - u0, dv = v1 - v0, length = std::sqrt(du * du + dv * dv), t = gate_m / 2 / length;
         const Point a = plan.at(u0 + du * t, v0 + dv * t), b = plan.at(u1 - du * t, v1 - dv * t);
         for (int i = 0; i <= 6; ++i)
@@ -64,9 +64,9 @@ void plant_hedges(Pieces &pieces, const Plan &plan, const Terrain &terrain, cons
     for (size_t k = 1; k < terrain.rows(); ++k)
         for (size_t i = 1; i < terrain.columns(); ++i) {
             if (!garden(i, k)) continue;
-            const uint64_t who = (i * 4096 + k) * 2;
-            if (garden(i - 1, k)) between(u[i], v[k], u[i], v[k + 1], who);
-            if (garden(i, k - 1)) between(u[i], v[k], u[i + 1], v[k], who + 1);
+            const uint64_t number = (i * 4096 + k) * 2;
+            if (garden(i - 1, k)) between(u[i], v[k], u[i], v[k + 1], number);
+            if (garden(i, k - 1)) between(u[i], v[k], u[i + 1], v[k], number + 1);
         }
 }
 

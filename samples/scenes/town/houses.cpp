@@ -67,10 +67,11 @@ private:
         const int lots = std::max(1, static_cast<int>((to - from) / wanted + 0.5));
         const double wide = (to - from) / lots;
         for (int i = 0; i < lots; ++i) {
-            const uint64_t who = draws_++;
-            if (random_unit(seed_, who, Purpose::place_x) > density) continue;
-            House h = draw(who, wide, yards);
-            const double back = (yards ? random_between(seed_, who, Purpose::place_z, 2.5, 6) : 0.25) + h.depth_m / 2;
+            const uint64_t number = draws_++;
+            if (random_unit(seed_, number, Purpose::place_x) > density) continue;
+            House h = draw(number, wide, yards);
+            const double back =
+                (yards ? random_between(seed_, number, Purpose::place_z, 2.5, 6) : 0.25) + h.depth_m / 2;
             const double along = from + wide * (i + 0.5);
             const double u = level ? along : side == Side::west ? b.u0 + back : b.u1 - back;
             const double v = level ? (side == Side::north ? b.v0 + back : b.v1 - back) : along;
@@ -99,23 +100,23 @@ private:
         houses_.push_back(h);
     }
 
-    House draw(uint64_t who, double lot_wide, bool yards) const
+    House draw(uint64_t number, double lot_wide, bool yards) const
     {
         House h = {};
-        h.number = who;
-        const double kind = random_unit(seed_, who, Purpose::act), shape = random_unit(seed_, who, Purpose::clip);
-        h.width_m = yards ? random_between(seed_, who, Purpose::size, 8.5, 12.5)
-                          : lot_wide - random_between(seed_, who, Purpose::gap, 0.7, 3.2);
-        h.depth_m = random_between(seed_, who, Purpose::radius, 8.4, 10.8);
+        h.number = number;
+        const double kind = random_unit(seed_, number, Purpose::act), shape = random_unit(seed_, number, Purpose::clip);
+        h.width_m = yards ? random_between(seed_, number, Purpose::size, 8.5, 12.5)
+                          : lot_wide - random_between(seed_, number, Purpose::gap, 0.7, 3.2);
+        h.depth_m = random_between(seed_, number, Purpose::radius, 8.4, 10.8);
         h.storeys = yards ? (shape < 0.6 ? 1 : 2) : (kind < 0.15 ? 3 : kind < 0.9 ? 2 : 1);
         h.roof = shape < 0.50 ? House::Roof::gable : shape < 0.78 ? House::Roof::gable_to_street : House::Roof::hip;
         h.style = kind > 0.30 && kind < 0.52              ? House::Style::timber
                   : !yards && shape > 0.2 && shape < 0.55 ? House::Style::shop
                                                           : House::Style::plaster;
-        h.pitch = random_between(seed_, who, Purpose::slab, 0.72, 1.0) * (h.roof == House::Roof::hip ? 0.8 : 1.0);
-        h.walls = pick(walls, random_unit(seed_, who, Purpose::tone));
-        h.tiles = pick(roofs, random_unit(seed_, who, Purpose::row));
-        h.chimney = random_unit(seed_, who, Purpose::lane) < 0.85;
+        h.pitch = random_between(seed_, number, Purpose::slab, 0.72, 1.0) * (h.roof == House::Roof::hip ? 0.8 : 1.0);
+        h.walls = pick(walls, random_unit(seed_, number, Purpose::tone));
+        h.tiles = pick(roofs, random_unit(seed_, number, Purpose::row));
+        h.chimney = random_unit(seed_, number, Purpose::lane) < 0.85;
         return h;
     }
 
@@ -129,17 +130,17 @@ private:
         constexpr Farm sites[] = {{true, -330, 26},   {true, -560, -30}, {true, 420, 34},   {true, 560, -26},
                                   {false, -330, -26}, {false, 430, 30},  {false, -560, 28}, {false, 640, -28}};
         for (const Farm &farm : sites) {
-            const uint64_t who = 5000 + draws_++;
+            const uint64_t number = 5000 + draws_++;
             const double street =
                 farm.on_high_street ? plan_.streets_v()[Plan::high_street] : plan_.streets_u()[Plan::south_street];
             const double u = farm.on_high_street ? farm.along : street + farm.beside;
             const double v = farm.on_high_street ? street + farm.beside : farm.along;
             const Side side = farm.on_high_street ? (farm.beside > 0 ? Side::north : Side::south)
                                                   : (farm.beside > 0 ? Side::west : Side::east);
-            House home = draw(who, 14, true);
+            House home = draw(number, 14, true);
             home.storeys = 2;
             stand(home, u, v, side);
-            House barn = draw(who + 400, 18, true);
+            House barn = draw(number + 400, 18, true);
             barn.style = House::Style::barn, barn.roof = House::Roof::gable, barn.storeys = 1;
             barn.width_m = 17, barn.depth_m = 10, barn.chimney = false, barn.walls = {0.95f, 0.86f, 0.76f};
             stand(barn, u + (farm.on_high_street ? 22 : 0), v + (farm.on_high_street ? 0 : 22), side);

@@ -34,7 +34,7 @@ std::vector<Footprint> stall_booths(const Plan &plan, Trade trade);
 
 void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, Point at);
 void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
-                 uint64_t who);
+                 uint64_t number);
 void build_bridge(Pieces &pieces, const Plan &plan, const Terrain &terrain);
 // Builds all of them.
 void build_landmarks(Pieces &pieces, SunShadows &shadows, const Plan &plan, const Terrain &terrain, uint64_t seed,

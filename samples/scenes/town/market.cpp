@@ -36,7 +36,7 @@ void build_fountain(Pieces &pieces, SunShadows &shadows, const Terrain &terrain,
 
 // A table under a striped awning on four poles.
 void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, const Site &site, uint64_t seed,
-                 uint64_t who)
+                 uint64_t number)
 {
     constexpr Rgb dyes[] = {{0.86f, 0.26f, 0.22f}, {0.26f, 0.46f, 0.72f}, {0.92f, 0.70f, 0.24f}, {0.32f, 0.60f, 0.38f}};
     constexpr Rgb goods[] = {{0.90f, 0.52f, 0.16f},
@@ -46,7 +46,7 @@ void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, co
                              {0.50f, 0.24f, 0.42f}};
     WallBuilder m(pieces, terrain, site);
     const double y = m.ground(0, 0);
-    const Rgb dye = dyes[who % 4], white = {0.97f, 0.96f, 0.92f}, wood = {0.62f, 0.47f, 0.33f};
+    const Rgb dye = dyes[number % 4], white = {0.97f, 0.96f, 0.92f}, wood = {0.62f, 0.47f, 0.33f};
     for (const double a : {-1.5, 1.5})
         for (const double o : {-0.9, 0.9})
             m.box(a - 0.05, m.ground(a, o) - 0.03, o - 0.05, a + 0.05, y + 2.3, o + 0.05, wood);
@@ -54,8 +54,8 @@ void build_stall(Pieces &pieces, SunShadows &shadows, const Terrain &terrain, co
     for (int i = 0; i < 6; ++i) {
         const double a = -1.3 + 0.44 * i;
         const float tone =
-            static_cast<float>(random_between(seed, who * 8 + static_cast<uint64_t>(i), Purpose::tone, 0.85, 1.1));
-        m.box(a, y + 0.85, 0.22, a + 0.38, y + 0.98, 0.80, goods[(who + static_cast<uint64_t>(i) * 3) % 5] * tone);
+            static_cast<float>(random_between(seed, number * 8 + static_cast<uint64_t>(i), Purpose::tone, 0.85, 1.1));
+        m.box(a, y + 0.85, 0.22, a + 0.38, y + 0.98, 0.80, goods[(number + static_cast<uint64_t>(i) * 3) % 5] * tone);
     }
     Geometry &g = pieces.on(SurfaceKind::stone);
     for (int i = 0; i < 8; ++i) {

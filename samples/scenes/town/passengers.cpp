@@ -43,17 +43,17 @@ Passengers::Passengers(Library &library, const CrowdOptions &crowd_options, cons
     drive(0);
 }
 
-clq_play Passengers::play(clq_template *tmpl, const char *const *clips, size_t count, size_t who) const
+clq_play Passengers::play(clq_template *tmpl, const char *const *clips, size_t count, size_t number) const
 {
-    const size_t which =
-        std::min(count - 1, static_cast<size_t>(random_unit(seed_, who, Purpose::clip) * static_cast<double>(count)));
+    const size_t which = std::min(
+        count - 1, static_cast<size_t>(random_unit(seed_, number, Purpose::clip) * static_cast<double>(count)));
     clq_play play = {};
     play.clip = clq_template_find_clip(tmpl, clips[which]);
-    play.speed = static_cast<float>(random_between(seed_, who, Purpose::speed, 0.9, 1.1));
+    play.speed = static_cast<float>(random_between(seed_, number, Purpose::speed, 0.9, 1.1));
     clq_clip_info info = clq_clip_info_init();
     if (play.clip != CLQ_NONE && clq_template_get_clip(tmpl, play.clip, &info) == CLQ_OK)
         play.phase_s =
-            static_cast<float>(random_unit(seed_, who, Purpose::phase) * static_cast<double>(info.duration_s));
+            static_cast<float>(random_unit(seed_, number, Purpose::phase) * static_cast<double>(info.duration_s));
     return play;
 }
 
@@ -69,17 +69,17 @@ void Passengers::board(uint32_t people)
         check(clq_group_create(crowd(), &at, &group));
         groups_.push_back(group);
     }
-    for (uint32_t who = 0; who < people; ++who) {
-        const Omnibus::Seat &seat = seats[who / vehicles];  // one in each, drivers first
-        const bool driver = who < vehicles;
-        clq_template *tmpl = figures_[driver ? 2 : static_cast<size_t>(random_unit(seed_, who, Purpose::act) * 4)];
+    for (uint32_t number = 0; number < people; ++number) {
+        const Omnibus::Seat &seat = seats[number / vehicles];  // one in each, drivers first
+        const bool driver = number < vehicles;
+        clq_template *tmpl = figures_[driver ? 2 : static_cast<size_t>(random_unit(seed_, number, Purpose::act) * 4)];
         // Small people on small benches: their feet are on the floor at any size.
-        const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.96, 1.02));
-        const double turned = driver ? 0 : random_between(seed_, who, Purpose::heading, -0.12, 0.12);
+        const float size = static_cast<float>(random_between(seed_, number, Purpose::size, 0.96, 1.02));
+        const double turned = driver ? 0 : random_between(seed_, number, Purpose::heading, -0.12, 0.12);
         const clq_transform place = stand(static_cast<double>(seat.x), static_cast<double>(seat.y),
                                           static_cast<double>(seat.z), turned, 1, size);
-        scene_crowd_.enter({tmpl, place, play(tmpl, clips, driver ? 1 : 7, who)});
-        check(clq_actor_join(crowd(), scene_crowd_.actors().back(), groups_[who % vehicles], &place));
+        scene_crowd_.enter({tmpl, place, play(tmpl, clips, driver ? 1 : 7, number)});
+        check(clq_actor_join(crowd(), scene_crowd_.actors().back(), groups_[number % vehicles], &place));
     }
     seated_ = people;
 }
@@ -101,12 +101,12 @@ void Passengers::gather(const Town &town, uint32_t people)
         const double x = at.x - fountain.x, z = at.z - fountain.z;
         if (x * x + z * z < 4.8 * 4.8 || !room.free(at.x, at.z, 1.1)) continue;
         room.take(at.x, at.z);
-        const size_t who = scene_crowd_.actors().size();
-        clq_template *tmpl = figures_[static_cast<size_t>(random_unit(seed_, who, Purpose::act) * 4)];
-        const double turn = random_between(seed_, who, Purpose::heading, 0, 6.283);
-        const float size = static_cast<float>(random_between(seed_, who, Purpose::size, 0.94, 1.06));
+        const size_t number = scene_crowd_.actors().size();
+        clq_template *tmpl = figures_[static_cast<size_t>(random_unit(seed_, number, Purpose::act) * 4)];
+        const double turn = random_between(seed_, number, Purpose::heading, 0, 6.283);
+        const float size = static_cast<float>(random_between(seed_, number, Purpose::size, 0.94, 1.06));
         const clq_transform place = stand(at.x, town.height(at.x, at.z), at.z, std::sin(turn), std::cos(turn), size);
-        scene_crowd_.enter({tmpl, place, play(tmpl, clips, 6, who)});
+        scene_crowd_.enter({tmpl, place, play(tmpl, clips, 6, number)});
         standing_.push_back(place);
     }
 }

@@ -32,7 +32,7 @@ public:
 private:
     void board(uint32_t people);
     void gather(const Town &town, uint32_t people);
-    clq_play play(clq_template *tmpl, const char *const *clips, size_t count, size_t who) const;
+    clq_play play(clq_template *tmpl, const char *const *clips, size_t count, size_t number) const;
 
     uint64_t seed_;
     VehiclePath path_;

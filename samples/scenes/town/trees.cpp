@@ -33,10 +33,10 @@ public:
                                : b.kind == Block::Kind::yards  ? 3
                                                                : 0;
             for (int i = 0; i < wanted; ++i) {
-                const uint64_t who = draws_++;
-                const double u = random_between(seed_, who, Purpose::place_x, b.u0 + 4, b.u1 - 4);
-                const double v = random_between(seed_, who, Purpose::place_z, b.v0 + 4, b.v1 - 4);
-                try_at(who, u, v);
+                const uint64_t number = draws_++;
+                const double u = random_between(seed_, number, Purpose::place_x, b.u0 + 4, b.u1 - 4);
+                const double v = random_between(seed_, number, Purpose::place_z, b.v0 + 4, b.v1 - 4);
+                try_at(number, u, v);
             }
         }
         on_square();
@@ -47,18 +47,18 @@ public:
     }
 
 private:
-    void try_at(uint64_t who, double u, double v)
+    void try_at(uint64_t number, double u, double v)
     {
-        const double share = random_unit(seed_, who, Purpose::tree);
-        add(who, u, v, share < 0.80 ? Tree::Kind::broad : share < 0.9 ? Tree::Kind::poplar : Tree::Kind::fir);
+        const double share = random_unit(seed_, number, Purpose::tree);
+        add(number, u, v, share < 0.80 ? Tree::Kind::broad : share < 0.9 ? Tree::Kind::poplar : Tree::Kind::fir);
     }
 
-    void add(uint64_t who, double u, double v, Tree::Kind kind)
+    void add(uint64_t number, double u, double v, Tree::Kind kind)
     {
         Tree t = {};
         t.kind = kind;
         t.at = plan_.at(u, v);
-        const double size = random_between(seed_, who, Purpose::size, 0.78, 1.2);
+        const double size = random_between(seed_, number, Purpose::size, 0.78, 1.2);
         t.height_m = size * (kind == Tree::Kind::broad ? 8.2 : 12.5);
         t.radius_m = size * (kind == Tree::Kind::broad ? 3.3 : kind == Tree::Kind::poplar ? 1.5 : 2.6);
         for (const House &h : houses_) {
@@ -98,25 +98,25 @@ private:
     {
         const double high = plan_.streets_v()[Plan::high_street];
         for (int i = 0; i < 40; ++i) {
-            const uint64_t who = draws_++;
-            const double v = random_between(seed_, who, Purpose::place_z, -420, 520);
+            const uint64_t number = draws_++;
+            const double v = random_between(seed_, number, Purpose::place_z, -420, 520);
             if (std::abs(v - high) < 14) continue;
-            const double away = random_between(seed_, who, Purpose::place_x, 9, 24);
-            try_at(who, plan_.stream_u() + (random_unit(seed_, who, Purpose::gap) < 0.5 ? -away : away), v);
+            const double away = random_between(seed_, number, Purpose::place_x, 9, 24);
+            try_at(number, plan_.stream_u() + (random_unit(seed_, number, Purpose::gap) < 0.5 ? -away : away), v);
         }
     }
 
     void between_fields()
     {
         for (int i = 0; i < 40; ++i) {
-            const uint64_t who = draws_++;
-            const double angle = random_between(seed_, who, Purpose::heading, 0, two_pi);
-            const double far = random_between(seed_, who, Purpose::radius, 230, 620);
+            const uint64_t number = draws_++;
+            const double angle = random_between(seed_, number, Purpose::heading, 0, two_pi);
+            const double far = random_between(seed_, number, Purpose::radius, 230, 620);
             const double u = far * std::sin(angle), v = far * std::cos(angle);
             if (std::abs(plan_.from_stream(u)) < 12) continue;
             if (std::abs(v - plan_.streets_v()[Plan::high_street]) < 11) continue;
             if (std::abs(u - plan_.streets_u()[Plan::south_street]) < 11) continue;
-            try_at(who, u, v);
+            try_at(number, u, v);
         }
     }
 
@@ -147,10 +147,10 @@ void ball(Geometry &g, const Ball &b, const std::vector<Ring> &rings, Rgb green,
     for (size_t k = 0; k < rings.size(); ++k) {
         row.clear();
         for (int side = 0; side <= b.sides; ++side) {
-            const uint64_t who = k * 32 + static_cast<uint64_t>(side % b.sides);
+            const uint64_t number = k * 32 + static_cast<uint64_t>(side % b.sides);
             const bool pole = rings[k].radius == 0;
-            const double bump = pole ? 1 : random_between(seed, who, Purpose::radius, 0.82, 1.14);
-            const double shift = pole ? 0 : random_between(seed, who, Purpose::size, -0.06, 0.06);
+            const double bump = pole ? 1 : random_between(seed, number, Purpose::radius, 0.82, 1.14);
+            const double shift = pole ? 0 : random_between(seed, number, Purpose::size, -0.06, 0.06);
             const double angle = two_pi * (side + 0.5 * static_cast<double>(k % 2)) / b.sides;
             const double r = rings[k].radius * b.radius * bump, y = (rings[k].share + shift) * b.height;
             const double x = r * std::sin(angle), z = r * std::cos(angle);

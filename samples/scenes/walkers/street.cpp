@@ -22,7 +22,7 @@ public:
           scene_crowd_(library, crowd_options),
           sky_(crowd_options.seed, Sky::Land::hills)
     {
-        for (uint32_t who = 0; who < crowd_options.count; ++who) enter(who, crowd_options.seed, on_tracks);
+        for (uint32_t person = 0; person < crowd_options.count; ++person) enter(person, crowd_options.seed, on_tracks);
         const float reach = static_cast<float>(first_row_m + row_m * crowd_options.count / abreast + 50);
         ground_.quad({Vec3{-reach, 0, reach}, Vec3{reach, 0, reach}, Vec3{reach, 0, -reach}, Vec3{-reach, 0, -reach}},
                      {0.6f, 0.58f, 0.54f});
@@ -47,14 +47,14 @@ public:
 
 private:
     // At `middle_s` everybody is where those in place are.
-    void enter(uint32_t who, uint64_t seed, bool on_tracks)
+    void enter(uint32_t person, uint64_t seed, bool on_tracks)
     {
-        const double x = (who % abreast - (abreast - 1) * 0.5) * between_m;
-        const double z = -first_row_m - row_m * (who / abreast);
-        const double speed = random_between(seed, who, Purpose::speed, 1.0, 1.2);
+        const double x = (person % abreast - (abreast - 1) * 0.5) * between_m;
+        const double z = -first_row_m - row_m * (person / abreast);
+        const double speed = random_between(seed, person, Purpose::speed, 1.0, 1.2);
         clq_play play = clq_play_init();
         play.clip = find_clip(citizen_.tmpl, {"walk"});
-        play.phase_s = static_cast<float>(random_unit(seed, who, Purpose::phase));
+        play.phase_s = static_cast<float>(random_unit(seed, person, Purpose::phase));
         scene_crowd_.enter({citizen_.tmpl, stand(x, 0, z, 0, 1, 1), play});
         if (!on_tracks) return;
         std::vector<clq_track_point> points;
@@ -66,7 +66,7 @@ private:
         }
         clq_track_def def = clq_track_def_init();
         def.points = points.data(), def.point_count = static_cast<uint32_t>(points.size());
-        def.seed = random_bits(seed, who, Purpose::act);
+        def.seed = random_bits(seed, person, Purpose::act);
         clq_track *made = nullptr;
         check(clq_track_create(citizen_.locomotion.get(), &def, &made));
         const OwnTrack track(made);

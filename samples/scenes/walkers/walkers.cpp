@@ -38,7 +38,7 @@ public:
 
     clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
-    std::string class_of(size_t who) const override { return cast_[people_[who].member].described.name; }
+    std::string class_of(size_t individual) const override { return cast_[people_[individual].member].described.name; }
     double busiest_s() const override { return busiest_s_; }
     std::vector<clq_template *> templates() const override
     {

@@ -100,12 +100,12 @@ private:
 
     void enter()
     {
-        const size_t who = actors_.size();
-        const scenes::Character &character = characters_[who % characters_.size()];
+        const size_t person = actors_.size();
+        const scenes::Character &character = characters_[person % characters_.size()];
         clq_actor_def def = clq_actor_def_init();
         def.tmpl = character.tmpl;
-        def.play = standing(character.tmpl, who);
-        def.seed = who;
+        def.play = standing(character.tmpl, person);
+        def.seed = person;
         def.texture_set = CLQ_RANDOM;
         clq_actor actor = {};
         scenes::check(clq_actor_create(crowd(), &def, &actor));
@@ -113,20 +113,20 @@ private:
         scenes::check(clq_actor_randomise_colours(crowd(), actor, nullptr, 0));
     }
 
-    clq_play standing(const clq_template *tmpl, size_t who) const
+    clq_play standing(const clq_template *tmpl, size_t person) const
     {
         clq_play play = {};
         const char *const names[] = {"stand", "stand_look", "stand_shift"};
-        play.clip = clq_template_find_clip(tmpl, names[who / characters_.size() % 3]);
+        play.clip = clq_template_find_clip(tmpl, names[person / characters_.size() % 3]);
         if (play.clip == CLQ_NONE) play.clip = clq_template_find_clip(tmpl, "idle");
         clq_template_info info = clq_template_info_init();
         scenes::check(clq_template_get_info(tmpl, &info));
-        if (play.clip == CLQ_NONE && info.clip_count > 0) play.clip = static_cast<uint32_t>(who % info.clip_count);
-        play.speed = static_cast<float>(scenes::random_between(seed_, who, scenes::Purpose::speed, 0.9, 1.1));
+        if (play.clip == CLQ_NONE && info.clip_count > 0) play.clip = static_cast<uint32_t>(person % info.clip_count);
+        play.speed = static_cast<float>(scenes::random_between(seed_, person, scenes::Purpose::speed, 0.9, 1.1));
         clq_clip_info clip = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(tmpl, play.clip, &clip) == CLQ_OK)
             play.phase_s =
-                static_cast<float>(scenes::random_unit(seed_, who, scenes::Purpose::phase)) * clip.duration_s;
+                static_cast<float>(scenes::random_unit(seed_, person, scenes::Purpose::phase)) * clip.duration_s;
         return play;
     }
 
@@ -141,8 +141,8 @@ private:
         const double step_m = block_m + across_m + gap_m;
         width_m_ = static_cast<double>(blocks - 1) * step_m + block_m + across_m;
         places_.clear();
-        for (size_t who = 0; who < actors_.size(); ++who) {
-            const size_t block = who % characters_.size(), at = who / characters_.size();
+        for (size_t person = 0; person < actors_.size(); ++person) {
+            const size_t block = person % characters_.size(), at = person / characters_.size();
             const size_t column = at % columns, row = at / columns;
             const double stagger = (row % 2 == 1 ? 0.15 : -0.15) * (rows_ > 1 ? across_m : 0);
             const double x = -width_m_ / 2 + across_m / 2 + static_cast<double>(block) * step_m +

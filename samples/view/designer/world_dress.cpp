@@ -72,7 +72,7 @@ void World::dress(Model &model)
     }
     const double start = now_s();
     const auto *social = dynamic_cast<const scenes::SocialClasses *>(scene_.get());
-    const auto called = [&](size_t who) { return social ? social->class_of(who) : std::string(); };
+    const auto called = [&](size_t person) { return social ? social->class_of(person) : std::string(); };
     std::string why_not;
     const size_t changed =
         dresser_.dress(context(), crowd(), social ? scene_->actors() : everyone(), called, model.designer, why_not);

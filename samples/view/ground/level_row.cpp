@@ -34,16 +34,16 @@ LevelRow::LevelRow(scenes::Library &library, clq_template *tmpl, const clq_trans
     std::vector<float> colours;
     for (const uint8_t byte : rgb) colours.push_back(static_cast<float>(byte) / 255);
     for (uint32_t level = 0; level < info.level_count; ++level) {
-        clq_actor_def who = clq_actor_def_init();
-        who.tmpl = tmpl, who.transform = place, who.play = play, who.texture_set = texture_set;
-        who.transform.position[0] += std::cos(heading) * step_m * (level + 1);
-        who.transform.position[2] -= std::sin(heading) * step_m * (level + 1);
+        clq_actor_def actor_def = clq_actor_def_init();
+        actor_def.tmpl = tmpl, actor_def.transform = place, actor_def.play = play, actor_def.texture_set = texture_set;
+        actor_def.transform.position[0] += std::cos(heading) * step_m * (level + 1);
+        actor_def.transform.position[2] -= std::sin(heading) * step_m * (level + 1);
         clq_actor actor = {};
-        check(clq_actor_create(made, &who, &actor));
+        check(clq_actor_create(made, &actor_def, &actor));
         if (!colours.empty())
             check(clq_actor_set_colours(made, actor, colours.data(), static_cast<uint32_t>(colours.size() / 3)));
         actors_.push_back(actor);
-        places_.push_back(who.transform);
+        places_.push_back(actor_def.transform);
     }
 }
 

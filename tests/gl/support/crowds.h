@@ -36,11 +36,11 @@ protected:
     void SetUp() override
     {
         GlTest::SetUp();
-        for (uint32_t who = 0; who < crowd; ++who)
+        for (uint32_t person = 0; person < crowd; ++person)
             colours_.push_back(zone_colours(static_cast<uint32_t>(posed_->tmpl->zone_count())));
-        for (uint32_t who = 0; who < crowd; ++who)
-            for (size_t i = 0; i < colours_[who].size(); ++i)
-                colours_[who][i] = static_cast<uint8_t>(colours_[who][i] + 5 * who);
+        for (uint32_t person = 0; person < crowd; ++person)
+            for (size_t i = 0; i < colours_[person].size(); ++i)
+                colours_[person][i] = static_cast<uint8_t>(colours_[person][i] + 5 * person);
     }
 
     // One call per individual.
@@ -62,10 +62,10 @@ protected:
     {
         const Camera camera = camera_on(*posed_, 9, -0.3f, 0.2f, 4.0f / 3.0f);
         std::vector<Individual> people;
-        for (uint32_t who = 0; who < crowd; ++who) {
-            Individual one = individual_of(*posed_, camera, colours_[who].data());
-            one.model_view[12] += 1.1f * posed_->radius * (float(who % across) - 3.5f);
-            one.model_view[13] += 1.3f * posed_->radius * (float(who / across) - 2);
+        for (uint32_t person = 0; person < crowd; ++person) {
+            Individual one = individual_of(*posed_, camera, colours_[person].data());
+            one.model_view[12] += 1.1f * posed_->radius * (float(person % across) - 3.5f);
+            one.model_view[13] += 1.3f * posed_->radius * (float(person / across) - 2);
             people.push_back(one);
         }
         return list_of(people, camera.projection);
@@ -74,10 +74,10 @@ protected:
     DrawList squeezed() const
     {
         DrawList list = many();
-        for (uint32_t who = 0; who < crowd; ++who) {
-            float *m = list.items[who].model_view;
-            for (int r = 0; r < 3; ++r) m[r] *= 0.8f, m[4 + r] *= 1.3f, m[8 + r] *= who % 3 == 0 ? -1.0f : 1.0f;
-            list.items[who].mirrored = who % 3 == 0;
+        for (uint32_t person = 0; person < crowd; ++person) {
+            float *m = list.items[person].model_view;
+            for (int r = 0; r < 3; ++r) m[r] *= 0.8f, m[4 + r] *= 1.3f, m[8 + r] *= person % 3 == 0 ? -1.0f : 1.0f;
+            list.items[person].mirrored = person % 3 == 0;
         }
         return list;
     }

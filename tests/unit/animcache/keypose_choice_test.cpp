@@ -138,7 +138,7 @@ TEST(KeyPoseChoice, ServesNearlyAsManyAsTheBestAlongClips)
         uint64_t got = 0, possible = 0;
         for (int crowd = 0; crowd < 8; ++crowd) {
             std::vector<uint32_t> between(c.poses, 0);  // individuals between each key-pose and the next
-            for (uint32_t who = 0; who < c.people; ++who)
+            for (uint32_t person = 0; person < c.people; ++person)
                 if (const uint32_t at = uint32_t(random() % (c.poses - 1)); at % 60 != 59) ++between[at];
             std::vector<KeyPoseBin> bins;
             for (uint32_t i = 0; i + 1 < c.poses; ++i)

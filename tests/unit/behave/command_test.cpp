@@ -140,7 +140,7 @@ TEST(Command, IsForOneActorAlone)
 
 TEST(Command, IsRefusedInOneSentence)
 {
-    TestActors test_actors(1), nobody(1);
+    TestActors test_actors(1), no_one(1);
     const uint32_t g = test_actors.add(gaze()), e = test_actors.add(expression()), p = test_actors.add(phrase(-1));
     const crowd::Id id = test_actors.ids[0];
     const glm::dvec3 point(1, 2, 3), nowhere(NAN, 0, 0), far(1e300, 0, 0);

@@ -159,9 +159,9 @@ TEST(Update, WorksWithoutActorsAndWithoutViews)
 {
     SceneDef def;
     def.actors = 0;
-    Scene nobody(def), unseen;
-    nobody.update(1);
-    EXPECT_TRUE(nobody.views[0]->list.items.empty());
+    Scene none(def), unseen;
+    none.update(1);
+    EXPECT_TRUE(none.views[0]->list.items.empty());
     unseen.views.clear();
     unseen.update(1);
     EXPECT_EQ(unseen.frame.stats().visible, 0u);

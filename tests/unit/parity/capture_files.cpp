@@ -84,12 +84,13 @@ void CaptureFiles::write_result(const std::string &name) const
     std::vector<uint16_t> zone;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
-            const uint32_t who = actor_at(x);
-            actor.push_back(who);
-            zone.push_back(who == 0 ? uint16_t{0} : y < 5 ? uint16_t{1} : uint16_t{2});
-            depth.push_back(who == 0 ? 1.0f : 0.5f + 0.015625f * static_cast<float>(who));
+            const uint32_t person = actor_at(x);
+            actor.push_back(person);
+            zone.push_back(person == 0 ? uint16_t{0} : y < 5 ? uint16_t{1} : uint16_t{2});
+            depth.push_back(person == 0 ? 1.0f : 0.5f + 0.015625f * static_cast<float>(person));
             for (int c = 0; c < 3; ++c)
-                colour.push_back(static_cast<uint8_t>(who == 0 ? 0 : 30 * zone.back() + 8 * static_cast<int>(who) + c));
+                colour.push_back(
+                    static_cast<uint8_t>(person == 0 ? 0 : 30 * zone.back() + 8 * static_cast<int>(person) + c));
         }
     write(name, "colour.npy", npy("|u1", "12, 16, 3", colour));
     write(name, "depth.npy", npy("<f4", "12, 16", depth));

@@ -1,4 +1,4 @@
-// Doors: who comes waits, who stands in one walks out, and nobody jumps.
+// Doors: walkers that come wait, those that stand in one walk out, and none jumps.
 #include "tests/unit/walk/floors.h"
 
 using floors::Held;

@@ -16,7 +16,7 @@ std::vector<clq_walker> crossing(const Held &held)
     for (int i = 0; i < 20; ++i) {
         const double row = 2 + 1.0 * (i % 10), column = 1 + 0.9 * (i / 10);
         people.push_back(held.add(column, row));
-        held.go(people.back(), 16 + column, row);  // who is ahead goes farther
+        held.go(people.back(), 16 + column, row);  // the one ahead goes farther
         people.push_back(held.add(row + 3, 0.8 + column));
         held.go(people.back(), row + 3, 10 + column);
     }
