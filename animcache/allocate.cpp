@@ -1,7 +1,7 @@
 // Room in the caches: blocks of individuals, within one budget. Before more memory is requested from the host,
 // individuals unseen for so long that their pose is stale are evicted. When the budget is spent, all individuals that
-// are invisible in this update may be evicted, unseen for longest first, ties by row. Visible individuals are never
-// evicted.
+// are invisible in this update may be evicted, unseen for longest first, ties in the order of requests. Visible
+// individuals are never evicted.
 #include "animcache/caches.h"
 
 namespace claque::animcache
@@ -29,19 +29,19 @@ void Caches::release(Entry &entry, Block kind)
     (kind == &Entry::palette ? entry.palette_key : entry.vertices_key) = PoseKey();
 }
 
-// Rows in the order in which they were last seen; those of one update by row.
-void Caches::move_to_end(uint32_t row)
+// Slots in the order in which they were last seen; those of one update in the order of its requests.
+void Caches::move_to_end(uint32_t slot)
 {
-    if (last_ == row) return;
-    Entry &entry = entries_[row];
+    if (last_ == slot) return;
+    Entry &entry = entries_[slot];
     if (entry.before != model::none) entries_[entry.before].after = entry.after;
-    else if (first_ == row) first_ = entry.after;
+    else if (first_ == slot) first_ = entry.after;
     if (entry.after != model::none) entries_[entry.after].before = entry.before;
     entry.before = last_;
     entry.after = model::none;
-    if (last_ != model::none) entries_[last_].after = row;
-    else first_ = row;
-    last_ = row;
+    if (last_ != model::none) entries_[last_].after = slot;
+    else first_ = slot;
+    last_ = slot;
 }
 
 // Evicts the individuals unseen for longest. False: all that hold blocks are visible in this update or were seen in the
@@ -104,7 +104,7 @@ void Caches::allocate_poses()
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         const Request &request = requests_[i];
         if (!request.tmpl) continue;
-        Entry &entry = entries_[request.row];
+        Entry &entry = entries_[request.slot];
         if (entry.tmpl != request.tmpl) {
             if (entry.tmpl && is_listed(entry)) replaced_.push_back(i);
             else {
@@ -114,7 +114,7 @@ void Caches::allocate_poses()
             }
         }
         entry.last_seen = frame_number_;
-        move_to_end(request.row);
+        move_to_end(request.slot);
     }
     key_poses_.choose(requests_);
     without_room_ = 0;
@@ -122,7 +122,7 @@ void Caches::allocate_poses()
     for (Request &request : requests_) {
         request.palette = nullptr;
         if (!request.tmpl || !request.needs_palette()) continue;
-        Entry &entry = entries_[request.row];
+        Entry &entry = entries_[request.slot];
         const bool replaced = entry.tmpl != request.tmpl;
         if (!entry.palette && !replaced && settings_.mode != Mode::none) entry.palette = take(entry, &Entry::palette);
         request.palette = replaced ? nullptr : entry.palette;
@@ -136,7 +136,7 @@ void Caches::allocate_vertices()
 {
     for (Request &request : requests_) {
         if (!request.tmpl) continue;
-        Entry &entry = entries_[request.row];
+        Entry &entry = entries_[request.slot];
         const bool keeps = settings_.mode == Mode::full && (entry.palette || !request.needs_palette());
         // of a key-pose shown before: without a palette they cannot be renewed
         if (!keeps) release(entry, &Entry::vertices);

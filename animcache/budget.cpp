@@ -21,7 +21,7 @@ constexpr double urgent_periods = 1.75;
 bool Caches::can_wait(const Request &request, double time_s) const
 {
     if (shows_key_poses(request.key_pose.mode)) return false;  // whether key-poses are kept must not be visible
-    const Entry &entry = entries_[request.row];
+    const Entry &entry = entries_[request.slot];
     return entry.palette_key.version == request.pose.version &&
            entry.palette_key.skeletal_level == request.pose.skeletal_level && entry.shown_s <= time_s &&
            entry.renewed_s <= time_s;
@@ -36,7 +36,7 @@ void Caches::defer(const PoseBudget &pose_budget)
         const Request &request = requests_[animate_[i]];
         if (!can_wait(request, pose_budget.time_s)) continue;
         const double period = std::max({double(request.period_s), pose_budget.elapsed_s, 1e-9});
-        const double age = pose_budget.time_s - entries_[request.row].renewed_s;
+        const double age = pose_budget.time_s - entries_[request.slot].renewed_s;
         waiting_.push_back({(age + pose_budget.elapsed_s) / period, request.distance, request.row, i});
     }
     const uint32_t cannot_wait = static_cast<uint32_t>(animate_.size() - waiting_.size());
@@ -51,7 +51,7 @@ void Caches::defer(const PoseBudget &pose_budget)
     });
     for (uint32_t k = left; k < waiting_.size(); ++k) {
         Request &request = requests_[animate_[waiting_[k].due]];
-        const Entry &entry = entries_[request.row];
+        const Entry &entry = entries_[request.slot];
         const double period = std::max(double(request.period_s), pose_budget.elapsed_s);
         counters_.overdue += pose_budget.time_s - entry.renewed_s > max_periods * period * (1 + 1e-6);
         ++counters_.deferred;

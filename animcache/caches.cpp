@@ -43,10 +43,10 @@ Caches::Caches(std::pmr::memory_resource *memory, const Settings &settings)
 
 Caches::~Caches() = default;
 
-void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo,
+void Caches::reserve(uint32_t slot_count, base::Span<const model::Template *const> templates, bool can_undo,
                      uint32_t request_count)
 {
-    const uint32_t requests = std::min(row_count, request_count);
+    const uint32_t requests = std::min(slot_count, request_count);
     scratch_.reserve(sizes_of(templates, settings_));
     key_poses_.reserve(requests, templates);
     if (can_undo) base::reserve_with_slack(requests_before_, requests), base::reserve_with_slack(replaced_, requests);
@@ -54,7 +54,10 @@ void Caches::reserve(uint32_t row_count, base::Span<const model::Template *const
     base::reserve_with_slack(animate_, requests);
     base::reserve_with_slack(skin_, requests);
     if (settings_.can_defer) base::reserve_with_slack(waiting_, requests);
-    if (entries_.size() < row_count) entries_.resize(row_count);
+    if (entries_.size() < slot_count) {
+        base::reserve_with_slack(entries_, slot_count);
+        entries_.resize(slot_count);
+    }
     built_.resize(slices);
 }
 
@@ -67,7 +70,7 @@ uint64_t Caches::book_bytes() const
 bool Caches::is_due(const Request &request) const
 {
     if (!request.needs_palette()) return false;
-    const Entry &entry = entries_[request.row];
+    const Entry &entry = entries_[request.slot];
     return settings_.mode == Mode::none || !entry.palette || !(entry.palette_key == request.pose);
 }
 
@@ -81,7 +84,7 @@ void Caches::find_due_poses()
             continue;
         }
         ++counters_.due;
-        const float *kept = entries_[requests_[i].row].palette;
+        const float *kept = entries_[requests_[i].slot].palette;
         if (kept && requests_[i].palette == kept) animate_.push_back(i);
     }
 }
@@ -92,7 +95,7 @@ void Caches::find_due_vertices()
     for (uint32_t i = 0; i < requests_.size(); ++i) {
         const Request &request = requests_[i];
         if (!request.tmpl) continue;
-        const Entry &entry = entries_[request.row];
+        const Entry &entry = entries_[request.slot];
         if (!needs_vertices(request)) {
             counters_.left_out += request.drawn && request.needs_palette() && !request.palette;
         } else if (!request.vertices) {
@@ -129,9 +132,9 @@ void Caches::commit()
 {
     for (const Request &request : requests_)
         if (request.tmpl && request.needs_palette() && !is_due(request))
-            entries_[request.row].shown_s = request.shown_s;
+            entries_[request.slot].shown_s = request.shown_s;
     for (const uint32_t i : replaced_) {
-        Entry &entry = entries_[requests_[i].row];
+        Entry &entry = entries_[requests_[i].slot];
         release(entry, &Entry::palette);
         release(entry, &Entry::vertices);
         entry.tmpl = requests_[i].tmpl;
@@ -147,14 +150,14 @@ void Caches::animate(const base::Jobs &jobs)
     commit();
     // Poses without a cache are made in every update, whatever the budget.
     for (uint32_t i = 0; without_room_ > 0 && i < requests_.size(); ++i)
-        if (requests_[i].palette && !entries_[requests_[i].row].palette) animate_.push_back(i);
+        if (requests_[i].palette && !entries_[requests_[i].slot].palette) animate_.push_back(i);
     jobs.for_each(slices, [this](uint32_t slice) {
         const Scratch scratch = scratch_.slice(slice);
         built_[slice] = 0;
         for_slice(static_cast<uint32_t>(animate_.size()), slice, [&](uint32_t i) {
             const Request &request = requests_[animate_[i]];
             built_[slice] += animcache::animate(request, scratch, request.palette);
-            keep_pose(entries_[request.row], request);
+            keep_pose(entries_[request.slot], request);
         });
     });
     counters_.animated = static_cast<uint32_t>(animate_.size());
@@ -166,7 +169,7 @@ void Caches::skin(const Request &request, const Scratch &scratch)
     if (request.key_pose.mode == KeyPoseMode::interpolated)
         interpolate(request, settings_.vertex_format, scratch, request.vertices);
     else animcache::skin(request, request.palette, settings_.vertex_format, scratch, request.vertices);
-    Entry &entry = entries_[request.row];
+    Entry &entry = entries_[request.slot];
     if (request.vertices != entry.vertices) return;
     entry.vertices_key = request.pose;
     entry.vertices_radius = request.blend_radius;
@@ -217,7 +220,7 @@ draw::Vertices Caches::vertices_of(const Request &request) const
     if (request.key_pose.mode == KeyPoseMode::intermittent && request.key_pose.served())
         return vertices_in(request.key_pose.kept[0], tmpl, request.level, settings_.vertex_format);
     if (!request.vertices) return {};
-    const Entry &entry = entries_[request.row];
+    const Entry &entry = entries_[request.slot];
     const float radius = request.vertices == entry.vertices ? entry.vertices_radius : request.blend_radius;
     return vertices_in(request.vertices, tmpl, request.level, settings_.vertex_format, radius);
 }

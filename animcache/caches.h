@@ -42,11 +42,11 @@ public:
     Caches(const Caches &) = delete;
     Caches &operator=(const Caches &) = delete;
 
-    // Makes room for the book-keeping of `row_count` rows, for the scratch of these templates, and for the requests of
-    // the next update. The only call that may fail (std::bad_alloc); cached results stay.
+    // Makes room for the book-keeping of individuals in slots below `slot_count`, for the scratch of these templates,
+    // and for the requests of the next update. The only call that may fail (std::bad_alloc); cached results stay.
     //   can_undo        whether updates may call undo()
-    //   request_count   at most; none: as many as rows
-    void reserve(uint32_t row_count, base::Span<const model::Template *const> templates, bool can_undo = false,
+    //   request_count   at most; none: as many as slots
+    void reserve(uint32_t slot_count, base::Span<const model::Template *const> templates, bool can_undo = false,
                  uint32_t request_count = model::none);
 
     // An update calls these in this order. begin() returns an array to be filled with one request per candidate, within
@@ -86,16 +86,16 @@ public:
     static const math::Affine *locals_of(const Request &request);
     static constexpr uint32_t slice_count = 64;  // tasks in an update, independent of the number of threads
 
-    // The key of the palette that is kept for a row, or null, and the radius that its request gave.
-    const PoseKey *kept_pose(uint32_t row) const
+    // The key of the palette that is kept in a slot, or null, and the radius that its request gave.
+    const PoseKey *kept_pose(uint32_t slot) const
     {
-        const Entry &entry = entries_[row];
+        const Entry &entry = entries_[slot];
         return settings_.mode == Mode::none || !entry.palette ? nullptr : &entry.palette_key;
     }
-    float kept_radius(uint32_t row) const { return entries_[row].palette_radius; }
-    bool keeps_palette(uint32_t row) const { return entries_[row].palette; }
-    bool keeps_vertices(uint32_t row) const { return entries_[row].vertices; }
-    bool was_animated(uint32_t row) const { return entries_[row].animated_at == frame_number_; }
+    float kept_radius(uint32_t slot) const { return entries_[slot].palette_radius; }
+    bool keeps_palette(uint32_t slot) const { return entries_[slot].palette; }
+    bool keeps_vertices(uint32_t slot) const { return entries_[slot].vertices; }
+    bool was_animated(uint32_t slot) const { return entries_[slot].animated_at == frame_number_; }
     base::Span<const Request> requests() const { return base::Span<const Request>(requests_); }
     const Counters &counters() const { return counters_; }
     uint64_t book_bytes() const;  // held besides palettes, vertices and key-poses
@@ -112,7 +112,7 @@ private:
         double shown_s = 0;                             // tick of the palette
         double renewed_s = 0;  // host's time at which it was made; only when updates have budgets
         uint32_t vertices_level = 0;
-        uint32_t before = model::none, after = model::none;  // rows, see move_to_end()
+        uint32_t before = model::none, after = model::none;  // slots, see move_to_end()
         uint64_t last_seen = 0;
         uint64_t animated_at = 0;
     };
@@ -133,7 +133,7 @@ private:
     void skin(const Request &request, const Scratch &scratch);
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(uint64_t updates);
-    void move_to_end(uint32_t row);
+    void move_to_end(uint32_t slot);
     void release(Entry &entry, Block kind);
     size_t block_bytes(const model::Template &tmpl, Block kind) const;
 
@@ -144,16 +144,16 @@ private:
     uint64_t frame_number_ = 0;
     std::pmr::vector<Request> requests_;         // of the last update
     std::pmr::vector<Request> requests_before_;  // of the one before, while that can be undone
-    std::pmr::vector<uint32_t> replaced_;        // requests of rows that were listed with another template
+    std::pmr::vector<uint32_t> replaced_;        // requests of slots that were listed with another template
     uint64_t last_listed_ = 0;                   // number of the last update that was not undone
     uint64_t listed_from_ = ~uint64_t(0);  // individuals seen since then may still be drawn; none may: the maximum
-    std::pmr::vector<Entry> entries_;      // by row
+    std::pmr::vector<Entry> entries_;      // by slot
     uint32_t without_room_ = 0;            // requests of the last update whose matrices no cache keeps
     std::pmr::vector<uint32_t> animate_;   // indices of requests
     std::pmr::vector<uint32_t> skin_;
     std::pmr::vector<Waiting> waiting_;
     PoseBudget pose_budget_;                             // of the last update
-    uint32_t first_ = model::none, last_ = model::none;  // rows by when they were last seen
+    uint32_t first_ = model::none, last_ = model::none;  // slots by when they were last seen
     std::pmr::vector<uint32_t> built_;                   // by slice: matrices built
     mutable ScratchPool scratch_;
     KeyPoses key_poses_;

@@ -43,6 +43,7 @@ enum class RigidMode : uint8_t {
 struct Request {
     const model::Template *tmpl = nullptr;  // null: no view sees the candidate, so nothing is requested
     uint32_t row = 0;                       // in the crowd
+    uint32_t slot = 0;                      // in the caches: the same in each update
     uint32_t level = 0;                     // of the template
     PoseKey pose;
     RigidMode rigid_mode = RigidMode::vertices;

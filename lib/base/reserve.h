@@ -7,13 +7,17 @@
 namespace claque::base
 {
 
-// Makes room for `count` more elements; a column that grows does so by half at least. May throw std::bad_alloc. Changes
-// capacity only.
+// From here on columns grow by less: room that is not used yet would be most of what a large crowd wastes.
+constexpr std::size_t large_column = 4096;
+
+// Makes room for `count` more elements; a column that grows does so by half at least, a large one by a quarter. May
+// throw std::bad_alloc. Changes capacity only.
 template <class Column>
 void reserve_more(Column &column, std::size_t count = 1)
 {
-    if (column.capacity() - column.size() >= count) return;
-    column.reserve(column.size() + std::max(column.size() / 2 + 16, count));
+    const std::size_t size = column.size();
+    if (column.capacity() - size >= count) return;
+    column.reserve(size + std::max(size < large_column ? size / 2 + 16 : size / 4, count));
 }
 
 }  // namespace claque::base

@@ -43,6 +43,7 @@ public:
     void copy_row(uint32_t from, uint32_t to) noexcept;  // `to` is clear
     Follow &make(uint32_t row);                          // the present one, or a new one; may throw
     Follow *of(uint32_t row) { return of_[row] == model::none ? nullptr : &slots_[of_[row]]; }
+    uint32_t slot_of(uint32_t row) const { return of_[row]; }  // none: it follows no track
     const Follow *of(uint32_t row) const { return of_[row] == model::none ? nullptr : &slots_[of_[row]]; }
 
     uint32_t count() const { return slots_.used_count(); }

@@ -32,26 +32,29 @@ void Behave::run_memories() const
         context.level = &crowd.template_of(row).levels[0];
         context.visible = false;
         context.levels = behave::mechanism_levels(crowd, row, context.distance_m, *context.level);
-        const uint32_t i = rows[row].candidate;
-        context.wanted = asks(row) && caches.pending()[i].dofs;
+        const uint32_t i = asking(row);
+        context.wanted = i != model::none && caches.pending()[i].dofs;
         float *out = context.wanted ? dofs_of(i) : nowhere;
         behave::run(crowd, row, context, {out, static_cast<uint32_t>(crowd.template_of(row).rig.dofs.size())},
                     stats.behaviour);
     }
 }
 
-// Whether a row is a visible candidate of this update.
-bool Behave::asks(uint32_t row) const
+// The visible candidate of this update that a row is, or none.
+uint32_t Behave::asking(uint32_t row) const
 {
-    const Row &found = rows[row];
-    return found.update == given.update && found.generation == given.crowd.actor(row).generation &&
-           found.visibility.visible;
+    const uint32_t slot = seen.slot_of(row);
+    if (slot == model::none) return model::none;
+    const Row &found = rows[slot];
+    const bool asks = found.update == given.update && found.generation == given.crowd.actor(row).generation &&
+                      found.visibility.visible;
+    return asks ? found.candidate : model::none;
 }
 
 void Behave::run_one(uint32_t i, behave::Counts &counts) const
 {
     const animcache::Request &request = caches.pending()[i];
-    const Row &found = rows[request.row];
+    const Row &found = rows[request.slot];
     behave::EvaluationContext context;
     context.host_calls = &given.host_calls;
     context.time_s = found.visibility.shown_s;
@@ -64,8 +67,8 @@ void Behave::run_one(uint32_t i, behave::Counts &counts) const
 
 base::Status Behave::check() const
 {
-    if (behaving.count < candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate and row");
+    if (behaving.count < candidates.count || !has_slots(candidates, rows))
+        return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate");
     // A crowd whose mechanisms went with a restore may hold the array of a smaller one: nothing writes it then.
     if (given.crowd.behaviours().mechanism_count() > 0 && dofs.count < (size_t(candidates.count) + 1) * dofs_each)
         return base::Status::bad(CLQ_ARGUMENT, "no room for the degrees of freedom of every candidate");

@@ -21,8 +21,9 @@ uint32_t KeepToBudget::budget() const
 
 base::Status KeepToBudget::check() const
 {
-    if (caches.requests().count != candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no request of every candidate, or no room for every row");
+    if (caches.requests().count != candidates.count ||
+        !has_slots({candidates.data, candidates.count}, {rows.data, rows.count}))
+        return base::Status::bad(CLQ_ARGUMENT, "no request of every candidate, or no room for its results");
     if (!(elapsed_s >= 0)) return base::Status::bad(CLQ_ARGUMENT, "%g seconds since the last update", elapsed_s);
     return base::Status::good();
 }
@@ -40,7 +41,7 @@ void KeepToBudget::run() const
     for (uint32_t i = 0; i < requests.size(); ++i) {
         const animcache::Request &request = requests[i];
         if (!request.tmpl) continue;
-        Row &row = rows[request.row];
+        Row &row = rows[request.slot];
         if (row.visibility.shown_s == request.shown_s) continue;
         row.visibility.shown_s = request.shown_s;
         if (given.crowd.behaviours().has_mechanisms(request.row)) candidates[i].levels = request.pose.behaviour_levels;

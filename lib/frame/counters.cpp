@@ -24,8 +24,8 @@ base::Status CountBands::check() const
 {
     if (bands.empty()) return base::Status::bad(CLQ_ARGUMENT, "no distance band");
     for (const animcache::Request &request : caches.requests())
-        if (request.drawn && request.row >= rows.count)
-            return base::Status::bad(CLQ_ARGUMENT, "row %u of %u is drawn", request.row, rows.count);
+        if (request.drawn && request.slot >= rows.count)
+            return base::Status::bad(CLQ_ARGUMENT, "slot %u of %u is drawn", request.slot, rows.count);
     return base::Status::good();
 }
 
@@ -35,14 +35,14 @@ void CountBands::run() const
     const bool passes = elapsed_s > 0 && elapsed_s < 1;
     for (const animcache::Request &request : caches.requests()) {
         if (!request.drawn) continue;
-        const Row &row = rows[request.row];
+        const Row &row = rows[request.slot];
         uint32_t k = 0;
         while (k + 1 < bands.count && row.visibility.distance >= bands[k + 1].distance_min) ++k;
         Band &band = bands[k];
         ++band.actor_frames;
         if (!passes || !row.visible_before) continue;
         band.seconds += elapsed_s;
-        band.animated += caches.was_animated(request.row);
+        band.animated += caches.was_animated(request.slot);
     }
 }
 

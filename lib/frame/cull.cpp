@@ -20,17 +20,15 @@ double length(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.
 
 base::Status CullRefpoints::check() const
 {
-    if (given.crowd.follows().count() > 0 && motions.count < tested.count)
-        return base::Status::bad(CLQ_ARGUMENT, "not a motion for all that are tested");
     if (passed.count < std::max(size_t(given.eyes.count), size_t(1)) * tested.count)
         return base::Status::bad(CLQ_ARGUMENT, "no room for all that are tested");
-    return base::Status::good();
+    return check_motions(given, motions);
 }
 
-glm::dvec3 CullRefpoints::position_of(uint32_t i) const
+glm::dvec3 CullRefpoints::position_of(uint32_t row, uint32_t follow_slot) const
 {
-    if (given.crowd.follows().of(tested[i])) return motions[i].position;
-    return crowd::reference_position_of(given.crowd, tested[i], given.time_s);
+    if (follow_slot != model::none) return motions[follow_slot].position;
+    return crowd::reference_position_of(given.crowd, row, given.time_s);
 }
 
 uint32_t CullRefpoints::run() const
@@ -38,13 +36,15 @@ uint32_t CullRefpoints::run() const
     const crowd::Crowd &crowd = given.crowd;
     const uint32_t views = given.eyes.count;
     const bool any_track = crowd.follows().count() > 0;
-    const auto is_present = [&](uint32_t i) { return !any_track || motions[i].present; };
+    const auto slot_of = [&](uint32_t i) { return any_track ? crowd.follows().slot_of(tested[i]) : model::none; };
+    const auto is_present = [&](uint32_t slot) { return slot == model::none || motions[slot].present; };
     for (uint32_t v = 0; v < views; ++v) {
         const CameraState &eye = given.eyes[v];
         uint8_t *out = passed.data + size_t(v) * tested.count;
         given.for_slices(tested.count, [&](uint32_t i) {
             const uint32_t row = tested[i];
-            if (!is_present(i)) {
+            const uint32_t follow_slot = slot_of(i);
+            if (!is_present(follow_slot)) {
                 out[i] = static_cast<uint8_t>(Containment::outside);
                 return;
             }
@@ -53,14 +53,14 @@ uint32_t CullRefpoints::run() const
             const float outer = group == model::none ? 1 : crowd.group(group).transform.scale;
             const double scale = std::fabs(double(crowd.transform_of(row).scale * outer));
             const double radius = scale * double(extent.refpoint) + double(extent.slack);
-            const glm::dvec3 away = position_of(i) - eye.eye;
+            const glm::dvec3 away = position_of(row, follow_slot) - eye.eye;
             out[i] = static_cast<uint8_t>(eye.casts() ? test_swept(eye.frustum, away, radius, eye.shadow)
                                                       : test(eye.frustum, away, radius));
         });
     }
     uint32_t count = 0;
     for (uint32_t i = 0; i < tested.count; ++i) {
-        bool any = given.traditional() && views > 0 && is_present(i);
+        bool any = given.traditional() && views > 0 && is_present(slot_of(i));
         for (uint32_t v = 0; v < views; ++v) any = any || passed[v * tested.count + i] != 0;
         passed[i] = any;
         count += any;
@@ -82,7 +82,7 @@ void ListCandidates::run() const
     uint32_t count = 0;
     for (uint32_t i = 0; i < tested.count; ++i) {
         if (!passed[i]) continue;
-        candidates[count].row = tested[i], candidates[count].tested = i;
+        candidates[count].row = tested[i], candidates[count].slot = seen.insert(tested[i]);
         ++count;
     }
     stats.tested = tested.count;

@@ -17,16 +17,17 @@ void Frame::forget()
 
 ActorVisibility Frame::visibility(const crowd::Crowd &crowd, uint32_t row) const
 {
-    if (row >= work_.rows.size() || work_.rows[row].generation != crowd.actor(row).generation) return ActorVisibility();
-    ActorVisibility visibility = work_.rows[row].visibility;
-    visibility.visible = visibility.visible && work_.rows[row].update == work_.update;
+    const uint32_t slot = work_.seen.slot_of(row);
+    if (slot == model::none || work_.rows[slot].generation != crowd.actor(row).generation) return ActorVisibility();
+    ActorVisibility visibility = work_.rows[slot].visibility;
+    visibility.visible = visibility.visible && work_.rows[slot].update == work_.update;
     return visibility;
 }
 
 bool Frame::root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &out) const
 {
     if (!visibility(crowd, row).visible) return false;
-    out = work_.candidates[work_.rows[row].candidate].root;
+    out = work_.candidates[work_.rows[work_.seen.slot_of(row)].candidate].root;
     return true;
 }
 

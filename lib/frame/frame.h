@@ -30,7 +30,7 @@ public:
     // because the host may have attached other mechanisms since. `level`: of its template.
     behave::MechanismLevels mechanism_levels(const crowd::Crowd &crowd, uint32_t row, const model::Level &level) const
     {
-        const float distance_m = work_.candidates[work_.rows[row].candidate].effective_distance_m;
+        const float distance_m = work_.candidates[work_.rows[work_.seen.slot_of(row)].candidate].effective_distance_m;
         return behave::mechanism_levels(crowd, row, distance_m, level);
     }
     // What an item of a list of the last update shows. Rows may have other individuals by now.

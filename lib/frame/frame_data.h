@@ -1,5 +1,5 @@
 // The values that flow from one step of an update to the next. State that is kept from update to update is indexed by
-// the actor's row in the crowd; results of one update are indexed by candidate, from the first cull phase on.
+// the actor's slot (SeenRows); results of one update are indexed by candidate, from the first cull phase on.
 #pragma once
 
 #include "animcache/caches.h"
@@ -44,7 +44,7 @@ struct ActorVisibility {
     uint32_t level = 0;    // of detail then
 };
 
-// One row of the crowd, as of the last update.
+// An actor that passed phase 1, as of the last update that it did.
 struct Row {
     ActorVisibility visibility;   // visible: in the update of that number
     uint64_t update = 0;          // the last that examined this row
@@ -62,7 +62,7 @@ struct GroupRow {
 // One row that passed phase 1 in a view.
 struct Candidate {
     uint32_t row = 0;
-    uint32_t tested = 0;             // index of the row among those that were tested
+    uint32_t slot = 0;               // of SeenRows
     float effective_distance_m = 0;  // S0 5: the smallest over the views that see it
     uint64_t levels = 0;             // of its control mechanisms
     crowd::Transform root;           // its Skeleton Root in the world, valid after PlaceRoots

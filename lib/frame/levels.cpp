@@ -41,7 +41,7 @@ double ChooseLevels::speed_of(const Candidate &candidate) const
     const uint32_t row = candidate.row, group = crowd.group_of(row);
     double speed = double(crowd.extent_of(row).speed);
     if (group != model::none) speed += double(crowd.group(group).speed);
-    if (crowd.follows().of(row)) speed += motions[candidate.tested].limb_speed;
+    if (crowd.follows().of(row)) speed += motions[crowd.follows().slot_of(row)].limb_speed;
     if (crowd.behaviours().has_root_path_play(row)) {
         const behave::RootSpeed path = behave::root_speed_at(crowd, row, given.time_s);
         const double limbs = turning_reach * double(crowd.extent_of(row).sklsroot);
@@ -78,7 +78,7 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     Candidate &candidate = candidates[i];
     const uint32_t row = candidate.row;
     const crowd::Actor &actor = crowd.actor(row);
-    Row &out = rows[row];
+    Row &out = rows[candidate.slot];
     const bool was_visible =
         out.visibility.visible && out.generation == actor.generation && out.update + 1 == given.update;
     if (out.generation != actor.generation)
@@ -118,11 +118,19 @@ void ChooseLevels::evaluate_candidate(uint32_t i) const
     out.shown_at = given.update;
 }
 
+bool has_slots(base::Span<const Candidate> candidates, base::Span<const Row> rows)
+{
+    for (const Candidate &candidate : candidates)
+        if (candidate.slot >= rows.count) return false;
+    return true;
+}
+
 base::Status ChooseLevels::check() const
 {
-    if (visibilities.candidates != candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no visibility of every candidate, or no room for every row");
-    return check_motions(given, {candidates.data, candidates.count}, motions);
+    if (visibilities.candidates != candidates.count ||
+        !has_slots({candidates.data, candidates.count}, {rows.data, rows.count}))
+        return base::Status::bad(CLQ_ARGUMENT, "no visibility of every candidate, or no room for its results");
+    return check_motions(given, motions);
 }
 
 void ChooseLevels::run() const

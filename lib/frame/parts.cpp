@@ -89,8 +89,8 @@ base::Status CullParts::check() const
 {
     if (caches.requests().count != candidates.count || visibilities.candidates != candidates.count)
         return base::Status::bad(CLQ_ARGUMENT, "no request or no visibility of every candidate");
-    if (visible.count < candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate and row");
+    if (visible.count < candidates.count || !has_slots(candidates, {rows.data, rows.count}))
+        return base::Status::bad(CLQ_ARGUMENT, "no room for every candidate");
     return base::Status::good();
 }
 
@@ -121,7 +121,7 @@ uint32_t CullParts::run() const
         const uint64_t nodes = nodes_of(*request.tmpl, request.tmpl->levels[request.level]);
         stats.matrices_needed += nodes;
         if (!request.drawn) {
-            rows[request.row].visibility.visible = false;
+            rows[request.slot].visibility.visible = false;
             continue;
         }
         visible[count++] = i;

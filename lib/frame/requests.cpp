@@ -12,13 +12,13 @@ namespace claque::frame
 // that pose, its clips need not be chosen again.
 bool MakeRequests::keep_pose(animcache::Request &request) const
 {
-    const animcache::PoseKey *kept = caches.kept_pose(request.row);
+    const animcache::PoseKey *kept = caches.kept_pose(request.slot);
     if (!kept || request.shown_s == 0) return false;  // 0 is also the tick of poses that are no function of ticks
     if (kept->tick_s != request.shown_s || kept->version != request.pose.version ||
         kept->behaviour_levels != request.pose.behaviour_levels || kept->skeletal_level != request.pose.skeletal_level)
         return false;
     request.pose = *kept;
-    request.blend_radius = caches.kept_radius(request.row);
+    request.blend_radius = caches.kept_radius(request.slot);
     return true;
 }
 
@@ -71,7 +71,7 @@ void MakeRequests::add(const Candidate &candidate) const
 {
     const crowd::Crowd &crowd = given.crowd;
     const uint32_t row = candidate.row;
-    const Row &found = rows[row];
+    const Row &found = rows[candidate.slot];
     const bool behaves = crowd.behaviours().has_mechanisms(row);
     requests.emplace_back();
     if (!found.visibility.visible) return;
@@ -79,6 +79,7 @@ void MakeRequests::add(const Candidate &candidate) const
     animcache::Request &request = requests.back();
     request.tmpl = &crowd.template_of(row);
     request.row = row;
+    request.slot = candidate.slot;
     request.level = found.visibility.level;
     request.shown_s = found.visibility.shown_s;
     request.period_s = found.visibility.period_s;
@@ -99,9 +100,8 @@ void MakeRequests::add(const Candidate &candidate) const
 
 base::Status MakeRequests::check() const
 {
-    if (requests.capacity() < candidates.count || rows.count < given.crowd.row_count())
-        return base::Status::bad(CLQ_ARGUMENT,
-                                 "no room for a request of every candidate, or not a result for every row");
+    if (requests.capacity() < candidates.count || !has_slots(candidates, rows))
+        return base::Status::bad(CLQ_ARGUMENT, "no room for a request of every candidate, or not a result of it");
     return base::Status::good();
 }
 

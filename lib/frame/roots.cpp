@@ -39,7 +39,7 @@ base::Status PlaceRoots::check() const
         if (candidate.row >= given.crowd.row_count())
             return base::Status::bad(CLQ_ARGUMENT, "a candidate in row %u of %u", candidate.row,
                                      given.crowd.row_count());
-    return check_motions(given, {candidates.data, candidates.count}, motions);
+    return check_motions(given, motions);
 }
 
 void PlaceRoots::run() const
@@ -48,9 +48,9 @@ void PlaceRoots::run() const
     given.for_slices(candidates.count, [&](uint32_t i) {
         const uint32_t row = candidates[i].row;
         crowd::Transform &root = candidates[i].root;
-        root = crowd.follows().of(row)
-                   ? crowd::placed_on_track(motions[candidates[i].tested], crowd.transform_of(row).scale)
-                   : crowd.world_transform_of(row);
+        const uint32_t follow_slot = crowd.follows().slot_of(row);
+        root = follow_slot != model::none ? crowd::placed_on_track(motions[follow_slot], crowd.transform_of(row).scale)
+                                          : crowd.world_transform_of(row);
         if (crowd.behaviours().has_root_path_play(row))
             root = composed(root, behave::root_transform_at(crowd, row, given.time_s));
     });

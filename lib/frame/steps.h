@@ -9,6 +9,7 @@
 #include "lib/frame/blocks.h"
 #include "lib/frame/frame_data.h"
 #include "lib/frame/order.h"
+#include "lib/frame/seen_rows.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/view.h"
 
@@ -48,7 +49,7 @@ struct FollowTracks {
     const Given &given;
     base::Span<const uint32_t> tested;
 
-    base::Span<track::Motion> motions;  // [tested]; not needed if no actor follows a track
+    base::Span<track::Motion> motions;  // by slot of Follows
 
     base::Status check() const;
     void run() const;
@@ -58,7 +59,7 @@ struct FollowTracks {
 struct CullRefpoints {
     const Given &given;
     base::Span<const uint32_t> tested;
-    base::Span<const track::Motion> motions;  // [tested]
+    base::Span<const track::Motion> motions;  // by slot of Follows
 
     // [view][tested]: math::Containment. run() ends by overwriting the first view's with whether any view met it.
     base::Span<uint8_t> passed;
@@ -67,7 +68,7 @@ struct CullRefpoints {
     uint32_t run() const;  // returns how many passed
 
 private:
-    glm::dvec3 position_of(uint32_t i) const;
+    glm::dvec3 position_of(uint32_t row, uint32_t follow_slot) const;
 };
 
 // Lists what phase 1 let through.
@@ -76,6 +77,7 @@ struct ListCandidates {
     base::Span<const uint32_t> tested;
     base::Span<const uint8_t> passed;  // [tested], as CullRefpoints leaves them
 
+    SeenRows &seen;                    // with room for all that are tested
     base::Span<Candidate> candidates;  // as many as passed
     Stats &stats;
 
@@ -83,13 +85,14 @@ struct ListCandidates {
     void run() const;
 };
 
-base::Status check_motions(const Given &given, base::Span<const Candidate> candidates,
-                           base::Span<const track::Motion> motions);
+base::Status check_motions(const Given &given, base::Span<const track::Motion> motions);
+// Whether `rows` has every candidate's slot.
+bool has_slots(base::Span<const Candidate> candidates, base::Span<const Row> rows);
 
 // Places the Skeleton Roots of the candidates: Reference Point, root path, ground.
 struct PlaceRoots {
     const Given &given;
-    base::Span<const track::Motion> motions;  // by Candidate::tested
+    base::Span<const track::Motion> motions;  // by slot of Follows
 
     base::Span<Candidate> candidates;
     Stats &stats;
@@ -114,11 +117,11 @@ struct CullRoots {
 struct ChooseLevels {
     const Given &given;
     Visibilities visibilities;
-    base::Span<const track::Motion> motions;  // by Candidate::tested
+    base::Span<const track::Motion> motions;  // by slot of Follows
     uint64_t live_since;                      // ticks shown up to this update may be followed by earlier ones
 
     base::Span<Candidate> candidates;
-    base::Span<Row> rows;  // by row of the crowd
+    base::Span<Row> rows;  // by Candidate::slot
 
     base::Status check() const;
     void run() const;
@@ -179,6 +182,7 @@ struct Behave {
     const Given &given;
     base::Span<const Candidate> candidates;
     base::Span<const Row> rows;
+    const SeenRows &seen;
     uint32_t dofs_each;  // the maximum over all templates
 
     base::Span<uint32_t> behaving;  // scratch [candidates]: candidates whose mechanisms run
@@ -193,7 +197,7 @@ private:
     void run_memories() const;
     void run_one(uint32_t i, behave::Counts &counts) const;
     float *dofs_of(uint32_t i) const { return dofs.data + size_t(i) * dofs_each; }
-    bool asks(uint32_t row) const;
+    uint32_t asking(uint32_t row) const;
 };
 
 // Phase 3: tests Internal Bspheres and lists the individuals to draw.

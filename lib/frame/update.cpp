@@ -70,7 +70,8 @@ public:
     {
     }
 
-    uint32_t find();  // steps 1 and 2, which change nothing: how many individuals passed
+    uint32_t find();          // steps 1 and 2, which change nothing: how many individuals passed
+    uint32_t unseen() const;  // how many of these have no slot yet
     void choose();
     void show();
 
@@ -104,13 +105,23 @@ uint32_t UpdateRun::find()
     return candidate_count_;
 }
 
+uint32_t UpdateRun::unseen() const
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tested_count_; ++i)
+        count += work_.passed[i] && work_.seen.slot_of(work_.tested[i]) == model::none;
+    return count;
+}
+
 // Keeps what find() found. Then steps 3 and 4: Skeleton Roots, second cull phase.
 void UpdateRun::cull()
 {
     checked(NoteGroups{given_, work_.blocks, base::Span<const uint8_t>(work_.block_seen),
                        base::Span<GroupRow>(work_.groups), work_.stats})
         .run();
-    checked(ListCandidates{given_, tested(), base::Span<const uint8_t>(work_.passed), candidates(), work_.stats}).run();
+    checked(ListCandidates{given_, tested(), base::Span<const uint8_t>(work_.passed), work_.seen, candidates(),
+                           work_.stats})
+        .run();
     checked(PlaceRoots{given_, motions(), candidates(), work_.stats}).run();
     checked(CullRoots{given_, placed(), visibilities(), work_.stats}).run();
 }
@@ -135,7 +146,7 @@ void UpdateRun::choose()
 
     // Step 5: mechanisms write degrees of freedom, from which matrices follow.
     begun_s_ = timer_.now();
-    checked(Behave{given_, placed(), found(), work_.dofs_each, base::Span<uint32_t>(work_.behaving),
+    checked(Behave{given_, placed(), found(), work_.seen, work_.dofs_each, base::Span<uint32_t>(work_.behaving),
                    base::Span<float>(work_.dofs), caches, work_.stats})
         .run();
     steps_.done(Step::behave);
@@ -207,7 +218,8 @@ base::Status update(const crowd::Crowd &crowd, Frame &frame, base::Span<View *co
                       jobs,  host_calls};
     UpdateRun run(given, work, views);
     const uint32_t found = run.find();
-    if (base::Status status = reserving(crowd, [&] { work.reserve_candidates(crowd, views, found); }); !status.ok())
+    if (base::Status status = reserving(crowd, [&] { work.reserve_candidates(crowd, views, found, run.unseen()); });
+        !status.ok())
         return status;
     work.begin(crowd);
     run.choose();

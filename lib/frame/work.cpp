@@ -63,6 +63,7 @@ void reserve_view(View &view, const crowd::Crowd &crowd, uint32_t count)
 Work::Work(std::pmr::memory_resource *memory, const Settings &wanted)
     : settings(without_caches_if_traditional(wanted)),
       caches(memory, settings.caches),
+      seen(memory),
       rows(memory),
       groups(memory),
       blocks(memory),
@@ -92,15 +93,14 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     for (const View *view : views) eyes.emplace_back(*view);
     grow(passed, std::max(size_t(views.count), size_t(1)) * count);
     grow(tested, count);
-    if (crowd.follows().count() > 0) grow(motions, count);
+    grow_with_slack(motions, crowd.follows().slot_count());
     blocks.follow(crowd);
     grow(block_seen, size_t(views.count) * blocks.blocks().count);
     grow(groups, crowd.group_count());
 }
 
-void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count)
+void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count, uint32_t unseen)
 {
-    const uint32_t row_count = crowd.row_capacity();
     for (View *view : views) reserve_view(*view, crowd, count);
     grow_with_slack(visibilities, size_t(views.count) * count);
     grow_with_slack(may_throw(crowd) ? last.candidates : candidates, count);
@@ -119,9 +119,11 @@ void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const>
     }
     base::reserve_with_slack(listed, count);
     base::reserve_with_slack(ordered, count);
-    caches.reserve(row_count, crowd.templates(), may_throw(crowd), count);
-    grow(rows, row_count);
-    view_changes.reserve(row_count);
+    seen.reserve(crowd.row_capacity());
+    const uint32_t slot_count = seen.count() + unseen;
+    caches.reserve(slot_count, crowd.templates(), may_throw(crowd), count);
+    grow_with_slack(rows, slot_count);
+    view_changes.reserve(crowd.row_capacity());
     if (may_throw(crowd)) {
         last.rows.reserve(rows.capacity());
         last.groups.reserve(groups.capacity());
@@ -162,7 +164,7 @@ uint64_t Work::bytes() const
     return base::held_bytes(rows, groups, eyes, block_seen, tested, motions, passed, candidates, visibilities, visible,
                             layers, dofs, behaving, listed, ordered, last.rows, last.groups, last.candidates,
                             last.layers, last.dofs) +
-           blocks.bytes() + view_changes.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
+           blocks.bytes() + view_changes.bytes() + seen.bytes() + caches.book_bytes() + caches.counters().arena_bytes;
 }
 
 }  // namespace claque::frame

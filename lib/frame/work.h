@@ -4,6 +4,7 @@
 #include "lib/frame/blocks.h"
 #include "lib/frame/frame_data.h"
 #include "lib/frame/order.h"
+#include "lib/frame/seen_rows.h"
 #include "lib/frame/stats.h"
 #include "lib/frame/step_times.h"
 #include "lib/frame/view.h"
@@ -19,8 +20,9 @@ struct Work {
     // writes.
     void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
     // Then all other memory that an update of these views needs, except for palettes and vertices: as much as for the
-    // individuals that passed that phase. Both throw std::bad_alloc; draw lists and results are unchanged then.
-    void reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count);
+    // individuals that passed that phase. `unseen`: of these, those that no earlier update let through. Both throw
+    // std::bad_alloc; draw lists and results are unchanged then.
+    void reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count, uint32_t unseen);
     // Begins an update. Until its poses are evaluated, undo() puts back what the last one left.
     void begin(const crowd::Crowd &crowd);
     void undo();
@@ -36,7 +38,8 @@ struct Work {
     uint64_t update = 0;      // number of the present or last one
     uint64_t live_since = 0;  // ticks shown up to this update may be followed by earlier ones: time has run back
     double pose_cost_s = 0;   // of posing and skinning one individual, measured in earlier updates; 0: unknown
-    std::pmr::vector<Row> rows;
+    SeenRows seen;
+    std::pmr::vector<Row> rows;  // by slot of `seen`
     std::pmr::vector<GroupRow> groups;
     Blocks blocks;
     ViewChanges view_changes;  // for hosts; no step reads it
@@ -47,7 +50,7 @@ struct Work {
     std::pmr::vector<CameraState> eyes;       // one per view
     std::pmr::vector<uint8_t> block_seen;     // [view][block]
     std::pmr::vector<uint32_t> tested;        // rows that are not culled with their group in every view
-    std::pmr::vector<track::Motion> motions;  // [tested]; empty if no actor follows a track
+    std::pmr::vector<track::Motion> motions;  // by slot of Follows
     std::pmr::vector<uint8_t> passed;         // [view][tested]
     std::pmr::vector<Candidate> candidates;
     std::pmr::vector<ViewVisibility> visibilities;  // [view][candidate]

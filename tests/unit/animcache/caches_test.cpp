@@ -41,7 +41,7 @@ protected:
     {
         Request request;
         request.tmpl = figure_.get();
-        request.row = row;
+        request.row = row, request.slot = row;
         request.level = level;
         request.pose.version = row + 1;
         request.pose.clip_time_s = clip_time_s;

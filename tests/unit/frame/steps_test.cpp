@@ -20,7 +20,8 @@ class StepsTest : public ::testing::Test
 protected:
     StepsTest()
     {
-        for (uint32_t row = 0; row < scene_.crowd.row_count(); ++row) work_.candidates[row].row = row;
+        for (uint32_t row = 0; row < scene_.crowd.row_count(); ++row)
+            work_.candidates[row].row = row, work_.candidates[row].slot = row;
     }
 
     base::Span<Candidate> candidates() { return {work_.candidates.data(), rows_}; }
@@ -56,7 +57,8 @@ protected:
         {
             View *const view = scene.views[0].get();
             reserve(scene.crowd, base::Span<View *const>(&view, 1));
-            reserve_candidates(scene.crowd, base::Span<View *const>(&view, 1), scene.crowd.row_capacity());
+            const uint32_t count = scene.crowd.row_capacity();
+            reserve_candidates(scene.crowd, base::Span<View *const>(&view, 1), count, count);
         }
     };
 
@@ -96,7 +98,7 @@ TEST_F(StepsTest, ListCandidatesNeedsAllThatAreTestedAndRoomForAllThatPassed)
     for (uint32_t i = 0; i < rows_; ++i) work_.passed[i] = i % 2;
     const auto step = [&](size_t passed, size_t candidates) {
         const base::Span<const uint8_t> let_through(work_.passed.data(), static_cast<uint32_t>(passed));
-        return ListCandidates{given_, tested, let_through, cut(work_.candidates, candidates), work_.stats};
+        return ListCandidates{given_, tested, let_through, work_.seen, cut(work_.candidates, candidates), work_.stats};
     };
     fits(step(rows_, rows_ / 2));
     is_refused(step(rows_ - 1, rows_ / 2), "not all that are tested were culled");
@@ -118,9 +120,9 @@ TEST_F(StepsTest, CullRootsNeedsRoomForEveryCandidateInEveryView)
     is_refused(CullRoots{given_, placed(), narrow, work_.stats}, "no room for every candidate in every view");
 }
 
-TEST_F(StepsTest, ChooseLevelsNeedsVisibilitiesOfEveryCandidateAndRoomForEveryRow)
+TEST_F(StepsTest, ChooseLevelsNeedsVisibilitiesOfEveryCandidateAndRoomForItsResults)
 {
-    const char *const text = "no visibility of every candidate, or no room for every row";
+    const char *const text = "no visibility of every candidate, or no room for its results";
     fits(ChooseLevels{given_, visibilities(), {}, 0, candidates(), rows()});
     is_refused(ChooseLevels{given_, visibilities(1), {}, 0, candidates(), rows()}, text);
     is_refused(ChooseLevels{given_, visibilities(), {}, 0, candidates(), rows(1)}, text);
@@ -128,7 +130,7 @@ TEST_F(StepsTest, ChooseLevelsNeedsVisibilitiesOfEveryCandidateAndRoomForEveryRo
 
 TEST_F(StepsTest, MakeRequestsNeedsRoomForARequestOfEveryCandidate)
 {
-    const char *const text = "no room for a request of every candidate, or not a result for every row";
+    const char *const text = "no room for a request of every candidate, or not a result of it";
     std::pmr::vector<animcache::Request> requests;
     const auto step = [&](uint32_t missing) {
         return MakeRequests{given_, placed(), found(missing), work_.caches, work_.layers, requests, work_.stats};
@@ -145,10 +147,10 @@ TEST_F(StepsTest, KeepToBudgetNeedsRequestsOfAllCandidatesAndTimeThatPasses)
         return KeepToBudget{given_, elapsed_s, 0, work_.caches, candidates(), rows(missing)};
     };
     request_all(1);
-    is_refused(step(0.1, 0), "no request of every candidate, or no room for every row");
+    is_refused(step(0.1, 0), "no request of every candidate, or no room for its results");
     request_all();
     fits(step(0.1, 0));
-    is_refused(step(0.1, 1), "no request of every candidate, or no room for every row");
+    is_refused(step(0.1, 1), "no request of every candidate, or no room for its results");
     is_refused(step(-1, 0), "-1 seconds since the last update");
 }
 
@@ -156,14 +158,15 @@ TEST_F(StepsTest, BehaveNeedsRoomForCandidatesAndTheirDegreesOfFreedom)
 {
     std::pmr::vector<float> dofs(3 * (size_t(rows_) + 1));
     const auto step = [&](size_t behaving, uint32_t missing, size_t numbers) {
-        return Behave{given_,       placed(),   found(missing), 3, cut(work_.behaving, behaving), cut(dofs, numbers),
-                      work_.caches, work_.stats};
+        return Behave{
+            given_,       placed(),   found(missing), work_.seen, 3, cut(work_.behaving, behaving), cut(dofs, numbers),
+            work_.caches, work_.stats};
     };
     fits(step(rows_, 0, 0));  // without a mechanism nothing is written
     scene_.crowd.behaviours().add(crowd::Mechanism(), {});
     fits(step(rows_, 0, dofs.size()));
-    is_refused(step(rows_ - 1, 0, dofs.size()), "no room for every candidate and row");
-    is_refused(step(rows_, 1, dofs.size()), "no room for every candidate and row");
+    is_refused(step(rows_ - 1, 0, dofs.size()), "no room for every candidate");
+    is_refused(step(rows_, 1, dofs.size()), "no room for every candidate");
     is_refused(step(rows_, 0, 0), "no room for the degrees of freedom of every candidate");
     is_refused(step(rows_, 0, dofs.size() - 1), "no room for the degrees of freedom of every candidate");
 }
@@ -178,8 +181,8 @@ TEST_F(StepsTest, CullPartsNeedsARequestAndASightOfEveryCandidate)
     request_all();
     fits(step(0, 0, rows_));
     is_refused(step(1, 0, rows_), "no request or no visibility of every candidate");
-    is_refused(step(0, 1, rows_), "no room for every candidate and row");
-    is_refused(step(0, 0, rows_ - 1), "no room for every candidate and row");
+    is_refused(step(0, 1, rows_), "no room for every candidate");
+    is_refused(step(0, 0, rows_ - 1), "no room for every candidate");
     request_all(1);
     is_refused(step(0, 0, rows_), "no request or no visibility of every candidate");
 }
@@ -199,17 +202,17 @@ TEST_F(StepsTest, ListViewNeedsAViewThatExistsAndRoomForTheVisible)
     is_refused(step(0, 0, none), "no room for 80 visible individuals");
 }
 
-TEST_F(StepsTest, CountBandsNeedsBandsAndRowsOfAllThatAreDrawn)
+TEST_F(StepsTest, CountBandsNeedsBandsAndResultsOfAllThatAreDrawn)
 {
     request_all();
     work_.caches.begin().assign(1, animcache::Request());
     animcache::Request &drawn = work_.caches.pending()[0];
     drawn.drawn = true;
-    drawn.row = rows_ - 1;
+    drawn.slot = rows_ - 1;
     Band bands[1];
     fits(CountBands{work_.caches, found(), 0.1, {bands, 1}});
     is_refused(CountBands{work_.caches, found(), 0.1, {}}, "no distance band");
-    is_refused(CountBands{work_.caches, found(1), 0.1, {bands, 1}}, "row 79 of 79 is drawn");
+    is_refused(CountBands{work_.caches, found(1), 0.1, {bands, 1}}, "slot 79 of 79 is drawn");
 }
 
 }  // namespace claque::frame
