@@ -4,6 +4,7 @@
 #include "lib/base/slot_map.h"
 #include "lib/crowd/play.h"
 #include "lib/crowd/transform.h"
+#include "lib/math/rough_sphere.h"
 
 namespace claque::crowd
 {
@@ -31,7 +32,7 @@ struct Extent {
 
 struct Actors {
     explicit Actors(std::pmr::memory_resource *memory)
-        : all(memory), transforms(memory), plays(memory), extents(memory), watched(memory)
+        : all(memory), transforms(memory), plays(memory), extents(memory), bounds(memory), watched(memory)
     {
     }
 
@@ -39,6 +40,8 @@ struct Actors {
     model::Array<Transform> transforms;
     model::Array<Play> plays;
     model::Array<Extent> extents;
+    // Holds the Refpoint Bsphere at any time, in the world. Of a group's members, everything: their group moves.
+    model::Array<math::RoughSphere> bounds;
     model::Array<uint32_t> watched;  // rows with events of clips enabled, ascending
 };
 

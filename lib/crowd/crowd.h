@@ -41,6 +41,7 @@ struct Crowd {
     }
     const Play &play_of(uint32_t row) const { return tables.actors.plays[row]; }
     const Extent &extent_of(uint32_t row) const { return tables.actors.extents[row]; }
+    const math::RoughSphere &bound_of(uint32_t row) const { return tables.actors.bounds[row]; }
     // Rows with events of clips enabled, ascending.
     base::Span<const uint32_t> watched() const { return base::Span<const uint32_t>(tables.actors.watched); }
 

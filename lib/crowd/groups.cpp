@@ -50,9 +50,9 @@ void leave_group(Crowd &crowd, uint32_t row) noexcept
     uint32_t &group = crowd.tables.groups.of[row];
     if (group == none) return;
     touch_group(crowd, row);
-    note(crowd, row);
     --crowd.tables.groups.all[group].members;
     group = none;
+    note(crowd, row);
     ++crowd.structure;
 }
 

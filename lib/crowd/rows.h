@@ -17,8 +17,11 @@ inline void touch_group(Crowd &crowd, uint32_t row) noexcept
     if (group != model::none) crowd.tables.groups.all[group].version = crowd.next_version++;
 }
 
+void bound(Crowd &crowd, uint32_t row) noexcept;  // renews what Actors::bounds says
+
 inline void note(Crowd &crowd, uint32_t row) noexcept  // that the actor was made, moved or changed, or has gone
 {
+    bound(crowd, row);
     for (Changes *reader : crowd.readers) reader->mark(reader->rows, row);
 }
 

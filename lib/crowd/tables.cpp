@@ -16,6 +16,7 @@ void push_columns(Tables &tables) noexcept
     tables.actors.transforms.emplace_back();
     tables.actors.plays.emplace_back();
     tables.actors.extents.emplace_back();
+    tables.actors.bounds.emplace_back();
     tables.groups.of.push_back(none);
     tables.extras.of.push_back(none);
     tables.behaviours.push_row();
@@ -63,6 +64,7 @@ void reserve_row(Tables &tables)
     reserve_more(tables.actors.transforms);
     reserve_more(tables.actors.plays);
     reserve_more(tables.actors.extents);
+    reserve_more(tables.actors.bounds);
     reserve_more(tables.groups.of);
     reserve_more(tables.extras.of);
     tables.behaviours.reserve_row();
@@ -99,6 +101,7 @@ void free_row(Tables &tables, uint32_t row) noexcept
     actors.transforms[row] = Transform();
     actors.plays[row] = Play();
     actors.extents[row] = Extent();
+    actors.bounds[row] = math::RoughSphere();
     actors.all.free(row);
 }
 
@@ -136,10 +139,10 @@ uint64_t bytes_of(const Tables &tables)
     const Actors &actors = tables.actors;
     uint64_t sum = bytes_of_column(tables.templates) + bytes_of_column(tables.colours) + actors.all.bytes() +
                    bytes_of_column(actors.transforms) + bytes_of_column(actors.plays) +
-                   bytes_of_column(actors.extents) + bytes_of_column(actors.watched) + tables.groups.all.bytes() +
-                   bytes_of_column(tables.groups.of) + tables.extras.all.bytes() + tables.extras.attached.bytes() +
-                   bytes_of_column(tables.extras.of) + tables.behaviours.bytes() + tables.layers.bytes() +
-                   tables.follows.bytes();
+                   bytes_of_column(actors.extents) + bytes_of_column(actors.bounds) + bytes_of_column(actors.watched) +
+                   tables.groups.all.bytes() + bytes_of_column(tables.groups.of) + tables.extras.all.bytes() +
+                   tables.extras.attached.bytes() + bytes_of_column(tables.extras.of) + tables.behaviours.bytes() +
+                   tables.layers.bytes() + tables.follows.bytes();
     for (const ColourTable &table : tables.colours) sum += table.bytes();
     return sum;
 }

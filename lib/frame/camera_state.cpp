@@ -29,6 +29,7 @@ CameraState::CameraState(const View &view)
       world_to_eye(math::rotation_of(view.camera.rotation)),
       frustum(math::rotated_back(pyramid_of(view), world_to_eye)),
       shadow(view.shadow),
+      rough(frustum, eye, shadow),
       distance_scale(1),
       min_distance(0)
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/frame/view.h"
-#include "lib/math/frustum.h"
+#include "lib/math/rough_sphere.h"
 
 namespace claque::frame
 {
@@ -15,7 +15,8 @@ struct CameraState {
     glm::dmat3 world_to_eye;
     math::Frustum frustum;
     glm::dvec3 shadow;
-    double distance_scale;  // effective distance per distance (S0 5)
+    math::RoughFrustum rough;  // with the shadow, in the world
+    double distance_scale;     // effective distance per distance (S0 5)
     // lower bound of effective distances: the fixed one of a parallel projection, which has no distance
     double min_distance;
 };

@@ -20,8 +20,7 @@ double length(const glm::dvec3 &v) { return std::sqrt(v.x * v.x + v.y * v.y + v.
 
 base::Status CullRefpoints::check() const
 {
-    if (passed.count < std::max(size_t(given.eyes.count), size_t(1)) * tested.count)
-        return base::Status::bad(CLQ_ARGUMENT, "no room for all that are tested");
+    if (passed.count < tested.count) return base::Status::bad(CLQ_ARGUMENT, "no room for all that are tested");
     return check_motions(given, motions);
 }
 
@@ -31,40 +30,34 @@ glm::dvec3 CullRefpoints::position_of(uint32_t row, uint32_t follow_slot) const
     return crowd::reference_position_of(given.crowd, row, given.time_s);
 }
 
-uint32_t CullRefpoints::run() const
+bool CullRefpoints::meets(const CameraState &eye, uint32_t row, uint32_t follow_slot) const
 {
     const crowd::Crowd &crowd = given.crowd;
-    const uint32_t views = given.eyes.count;
-    const bool any_track = crowd.follows().count() > 0;
-    const auto slot_of = [&](uint32_t i) { return any_track ? crowd.follows().slot_of(tested[i]) : model::none; };
-    const auto is_present = [&](uint32_t slot) { return slot == model::none || motions[slot].present; };
-    for (uint32_t v = 0; v < views; ++v) {
-        const CameraState &eye = given.eyes[v];
-        uint8_t *out = passed.data + size_t(v) * tested.count;
-        given.for_slices(tested.count, [&](uint32_t i) {
-            const uint32_t row = tested[i];
-            const uint32_t follow_slot = slot_of(i);
-            if (!is_present(follow_slot)) {
-                out[i] = static_cast<uint8_t>(Containment::outside);
-                return;
-            }
-            const crowd::Extent &extent = crowd.extent_of(row);
-            const uint32_t group = crowd.group_of(row);
-            const float outer = group == model::none ? 1 : crowd.group(group).transform.scale;
-            const double scale = std::fabs(double(crowd.transform_of(row).scale * outer));
-            const double radius = scale * double(extent.refpoint) + double(extent.slack);
-            const glm::dvec3 away = position_of(row, follow_slot) - eye.eye;
-            out[i] = static_cast<uint8_t>(eye.casts() ? test_swept(eye.frustum, away, radius, eye.shadow)
-                                                      : test(eye.frustum, away, radius));
-        });
-    }
+    const crowd::Extent &extent = crowd.extent_of(row);
+    const uint32_t group = crowd.group_of(row);
+    const float outer = group == model::none ? 1 : crowd.group(group).transform.scale;
+    const double scale = std::fabs(double(crowd.transform_of(row).scale * outer));
+    const double radius = scale * double(extent.refpoint) + double(extent.slack);
+    const glm::dvec3 away = position_of(row, follow_slot) - eye.eye;
+    return (eye.casts() ? test_swept(eye.frustum, away, radius, eye.shadow) : test(eye.frustum, away, radius)) !=
+           Containment::outside;
+}
+
+bool CullRefpoints::passes(uint32_t row) const
+{
+    const uint32_t follow_slot = given.crowd.follows().slot_of(row);
+    if (follow_slot != model::none && !motions[follow_slot].present) return false;
+    if (given.traditional()) return given.eyes.count > 0;
+    for (const CameraState &eye : given.eyes)
+        if (meets(eye, row, follow_slot)) return true;
+    return false;
+}
+
+uint32_t CullRefpoints::run() const
+{
+    given.for_slices(tested.count, [this](uint32_t i) { passed[i] = passes(tested[i]); });
     uint32_t count = 0;
-    for (uint32_t i = 0; i < tested.count; ++i) {
-        bool any = given.traditional() && views > 0 && is_present(slot_of(i));
-        for (uint32_t v = 0; v < views; ++v) any = any || passed[v * tested.count + i] != 0;
-        passed[i] = any;
-        count += any;
-    }
+    for (uint32_t i = 0; i < tested.count; ++i) count += passed[i];
     return count;
 }
 
@@ -85,8 +78,8 @@ void ListCandidates::run() const
         candidates[count].row = tested[i], candidates[count].slot = seen.insert(tested[i]);
         ++count;
     }
-    stats.tested = tested.count;
-    stats.sphere_tests = uint64_t(given.eyes.count) * tested.count;
+    stats.tested = considered;
+    stats.sphere_tests = uint64_t(given.eyes.count) * considered;
     stats.passed_refpoint = count;
 }
 

@@ -44,6 +44,18 @@ struct NoteGroups {
     void run() const;
 };
 
+// Leaves those of the tested rows of which a coarse test cannot say that no view sees them. Traditional mode leaves
+// all.
+struct CullBounds {
+    const Given &given;
+
+    base::Span<uint8_t> near;     // scratch [tested]
+    base::Span<uint32_t> tested;  // the rows that are left come first, in their order
+
+    base::Status check() const;
+    uint32_t run() const;  // returns how many are left
+};
+
 // Evaluates the tracks of the tested rows.
 struct FollowTracks {
     const Given &given;
@@ -61,13 +73,14 @@ struct CullRefpoints {
     base::Span<const uint32_t> tested;
     base::Span<const track::Motion> motions;  // by slot of Follows
 
-    // [view][tested]: math::Containment. run() ends by overwriting the first view's with whether any view met it.
-    base::Span<uint8_t> passed;
+    base::Span<uint8_t> passed;  // [tested]: whether any view meets it
 
     base::Status check() const;
     uint32_t run() const;  // returns how many passed
 
 private:
+    bool passes(uint32_t row) const;
+    bool meets(const CameraState &eye, uint32_t row, uint32_t follow_slot) const;
     glm::dvec3 position_of(uint32_t row, uint32_t follow_slot) const;
 };
 
@@ -76,6 +89,7 @@ struct ListCandidates {
     const Given &given;
     base::Span<const uint32_t> tested;
     base::Span<const uint8_t> passed;  // [tested], as CullRefpoints leaves them
+    uint32_t considered;               // individuals before the first test, for the statistics
 
     SeenRows &seen;                    // with room for all that are tested
     base::Span<Candidate> candidates;  // as many as passed

@@ -90,16 +90,18 @@ private:
     double elapsed_s_;
     HostTimer timer_;
     StepTimer steps_;
-    uint32_t tested_count_ = 0, candidate_count_ = 0;
+    uint32_t considered_ = 0, tested_count_ = 0, candidate_count_ = 0;
     double begun_s_ = 0;
 };
 
-// S0 4.3: groups first. Then Reference Points, and the first cull phase.
+// S0 4.3: groups first. Then coarse bounds, Reference Points, and the first cull phase.
 uint32_t UpdateRun::find()
 {
-    tested_count_ = checked(CullGroups{given_, work_.blocks, base::Span<uint8_t>(work_.block_seen),
-                                       base::Span<uint32_t>(work_.tested)})
-                        .run();
+    considered_ = checked(CullGroups{given_, work_.blocks, base::Span<uint8_t>(work_.block_seen),
+                                     base::Span<uint32_t>(work_.tested)})
+                      .run();
+    tested_count_ =
+        checked(CullBounds{given_, base::Span<uint8_t>(work_.passed), {work_.tested.data(), considered_}}).run();
     checked(FollowTracks{given_, tested(), base::Span<track::Motion>(work_.motions)}).run();
     candidate_count_ = checked(CullRefpoints{given_, tested(), motions(), base::Span<uint8_t>(work_.passed)}).run();
     return candidate_count_;
@@ -119,8 +121,8 @@ void UpdateRun::cull()
     checked(NoteGroups{given_, work_.blocks, base::Span<const uint8_t>(work_.block_seen),
                        base::Span<GroupRow>(work_.groups), work_.stats})
         .run();
-    checked(ListCandidates{given_, tested(), base::Span<const uint8_t>(work_.passed), work_.seen, candidates(),
-                           work_.stats})
+    checked(ListCandidates{given_, tested(), base::Span<const uint8_t>(work_.passed), considered_, work_.seen,
+                           candidates(), work_.stats})
         .run();
     checked(PlaceRoots{given_, motions(), candidates(), work_.stats}).run();
     checked(CullRoots{given_, placed(), visibilities(), work_.stats}).run();

@@ -91,7 +91,7 @@ void Work::reserve(const crowd::Crowd &crowd, base::Span<View *const> views)
     const uint32_t count = crowd.row_capacity();  // grows in steps, so these arrays do too
     eyes.clear();
     for (const View *view : views) eyes.emplace_back(*view);
-    grow(passed, std::max(size_t(views.count), size_t(1)) * count);
+    grow(passed, count);
     grow(tested, count);
     grow_with_slack(motions, crowd.follows().slot_count());
     blocks.follow(crowd);

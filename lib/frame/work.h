@@ -47,11 +47,11 @@ struct Work {
     StepTimes step_times;      // for hosts, of the last update
 
     // Of one update. Arrays have the maximum size; steps return how much of them they filled.
-    std::pmr::vector<CameraState> eyes;       // one per view
-    std::pmr::vector<uint8_t> block_seen;     // [view][block]
-    std::pmr::vector<uint32_t> tested;        // rows that are not culled with their group in every view
+    std::pmr::vector<CameraState> eyes;    // one per view
+    std::pmr::vector<uint8_t> block_seen;  // [view][block]
+    std::pmr::vector<uint32_t> tested;  // rows that are not culled with their group in every view; then those near one
     std::pmr::vector<track::Motion> motions;  // by slot of Follows
-    std::pmr::vector<uint8_t> passed;         // [view][tested]
+    std::pmr::vector<uint8_t> passed;         // [tested]
     std::pmr::vector<Candidate> candidates;
     std::pmr::vector<ViewVisibility> visibilities;  // [view][candidate]
     std::pmr::vector<uint32_t> visible;             // candidates drawn in some view

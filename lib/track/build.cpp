@@ -120,6 +120,7 @@ void build(const Locomotion &locomotion, base::Span<const Point> points, const B
     make_ahead(path, out);
     if (previous) join_swings(*previous, out), join_upper(*previous, out);
     out.top_speed = top_speed_of(out);
+    out.reach = reach_of(out);
     out.hash = hash_of(out);
     report(points, end_s, path, out);
 }

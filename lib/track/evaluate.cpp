@@ -174,6 +174,23 @@ double top_speed_of(const Track &track)
     return std::sqrt(most) * track.rate_hz / track.metres_per_unit * (1 + 1e-9);
 }
 
+// A cubic curve stays in the box of its four Bezier points.
+Box reach_of(const Track &track)
+{
+    glm::dvec3 low(HUGE_VAL), high(-HUGE_VAL);
+    const auto add = [&](const Metres &from, const Metres &slope, double part) {
+        const glm::dvec3 p(from.x + part * slope.x, from.y + part * slope.y, from.z + part * slope.z);
+        low = glm::min(low, p), high = glm::max(high, p);
+    };
+    for (uint32_t i = 0; i < track.samples.size(); ++i) {
+        const Metres p = point_of(track, track.samples[i]), m = slope_at(track, i);
+        add(p, m, 0), add(p, m, 1.0 / 3), add(p, m, -1.0 / 3);
+    }
+    const glm::dvec3 rounding = 1e-9 * (high - low);
+    const auto world = [&](const glm::dvec3 &p) { return world_of(track, {p.x, p.y, p.z}); };
+    return {world(low - rounding), world(high + rounding)};
+}
+
 State state_at(const Track &track, double time_s) noexcept
 {
     const Place place = place_of(track, time_s);

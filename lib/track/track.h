@@ -59,6 +59,10 @@ struct ShoulderTurn {
     float turn_rad = 0;  // at at_s, positive to the left
 };
 
+struct Box {
+    glm::dvec3 low = glm::dvec3(-HUGE_VAL), high = glm::dvec3(HUGE_VAL);
+};
+
 struct Track {
     explicit Track(std::pmr::memory_resource *memory)
         : samples(memory),
@@ -78,6 +82,7 @@ struct Track {
     double metres_per_unit = 1;       // of the world
     double scale = 1;                 // metres per model unit
     double top_speed = 0;             // an upper bound, in world units a second
+    Box reach;                        // holds all positions, world units
     Array<Sample> samples;            // [length_s * rate_hz + 1]
     Array<Plant> plants[2];           // by begin_s; they do not overlap
     Array<uint32_t> first_plants[2];  // by whole second: the first plant that ends after it began
@@ -172,6 +177,7 @@ inline double end_of(const Track &track) { return track.start_s + track.length_s
 
 // Upper bound of the speed in all three dimensions at any time; infinite for a path that jumps.
 double top_speed_of(const Track &track);
+Box reach_of(const Track &track);
 
 // Computes first_plants and first_shoulders, and the hash of everything above it.
 void index_plants(Track &track);

@@ -128,6 +128,7 @@ void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track
     check(out, locomotion);
     index_plants(out);
     out.top_speed = top_speed_of(out);
+    out.reach = reach_of(out);
     out.hash = hash_of(out);
 }
 

@@ -84,6 +84,15 @@ TEST_F(StepsTest, CullGroupsNeedsRoomForBlocksGroupsAndRows)
     is_refused(step(blocks, rows_ - 1), "no room for every row");
 }
 
+TEST_F(StepsTest, CullBoundsNeedsRoomForAllThatAreTested)
+{
+    const auto step = [&](size_t near) {
+        return CullBounds{given_, cut(work_.passed, near), base::Span<uint32_t>(work_.tested.data(), rows_)};
+    };
+    fits(step(rows_));
+    is_refused(step(rows_ - 1), "no room for all that are tested");
+}
+
 TEST_F(StepsTest, CullRefpointsNeedsRoomForAllThatAreTested)
 {
     const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
@@ -98,7 +107,8 @@ TEST_F(StepsTest, ListCandidatesNeedsAllThatAreTestedAndRoomForAllThatPassed)
     for (uint32_t i = 0; i < rows_; ++i) work_.passed[i] = i % 2;
     const auto step = [&](size_t passed, size_t candidates) {
         const base::Span<const uint8_t> let_through(work_.passed.data(), static_cast<uint32_t>(passed));
-        return ListCandidates{given_, tested, let_through, work_.seen, cut(work_.candidates, candidates), work_.stats};
+        return ListCandidates{given_,     tested, let_through, rows_, work_.seen, cut(work_.candidates, candidates),
+                              work_.stats};
     };
     fits(step(rows_, rows_ / 2));
     is_refused(step(rows_ - 1, rows_ / 2), "not all that are tested were culled");

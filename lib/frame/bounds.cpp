@@ -1,0 +1,47 @@
+// Before the first cull phase: most of a large crowd is far from every view, which 16 bytes of each individual tell.
+// What is left out here would not pass that phase.
+#include <cstring>
+
+#include "lib/frame/steps.h"
+
+namespace claque::frame
+{
+
+namespace
+{
+
+// Moves those that are near to the front, in their order, and returns how many they are. Few are near, so the others
+// are passed over by eights.
+uint32_t keep_near(base::Span<uint32_t> tested, const uint8_t *near)
+{
+    uint32_t count = 0;
+    for (uint32_t i = 0; i < tested.count; ++i) {
+        uint64_t eight = 1;
+        if (i % 8 == 0 && i + 8 <= tested.count) std::memcpy(&eight, near + i, sizeof eight);
+        if (eight == 0) i += 7;
+        else if (near[i]) tested[count++] = tested[i];
+    }
+    return count;
+}
+
+}  // namespace
+
+base::Status CullBounds::check() const
+{
+    if (near.count < tested.count) return base::Status::bad(CLQ_ARGUMENT, "no room for all that are tested");
+    return base::Status::good();
+}
+
+uint32_t CullBounds::run() const
+{
+    if (given.traditional()) return tested.count;
+    given.for_slices(tested.count, [&](uint32_t i) {
+        const math::RoughSphere &bound = given.crowd.bound_of(tested[i]);
+        bool any = false;
+        for (const CameraState &eye : given.eyes) any = any || !math::is_outside(eye.rough, bound);
+        near[i] = any;
+    });
+    return keep_near(tested, near.data);
+}
+
+}  // namespace claque::frame
