@@ -34,7 +34,7 @@ ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on
     --output-log out/ci-sanitizers.log || failed="$failed sanitizers"
 step fuzzers
 cmake/setup.sh fuzz >out/ci-clang.log 2>&1 || true  # without root they may have to be skipped, and say so
-JOBS="$jobs" quietly out/ci-fuzz.log tests/fuzz/run.py --seed 1 20
+quietly out/ci-fuzz.log env JOBS="$jobs" tests/fuzz/run.py --seed 1 20
 tail -n 20 out/ci-fuzz.log
 step mutants
 quietly out/ci-mutants.log tests/mutants/run.py --some 10 --jobs "$jobs"
