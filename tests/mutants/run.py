@@ -3,8 +3,8 @@
 
 run.py [--some N] [--jobs N] [PATTERN...]: puts each mutant whose name LAW/NAME matches a pattern into a copy of the
 tree in build/mutants, builds the tests that it names, and runs them. A mutant that no longer applies, that does not
-compile, or that no test sees is a failure. With --some, N mutants chosen by the commit. README.md beside this file
-describes the files.
+compile, or that no test sees is a failure. With --some, N mutants chosen by the commit; those whose tests are skipped
+on this machine are then told and not tried. README.md beside this file describes the files.
 
 Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the
 environment variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
@@ -15,6 +15,7 @@ import hashlib
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -136,27 +137,37 @@ def run_test(test, limit_s, mutant_id=0):
         return "crashed", f"{target} with status {status}", seconds
     ran = [case for case in cases if case.get("status") == "RUN"]
     skipped = [f"{case['classname']}.{case['name']}" for case in ran if case.get("result") == "SKIPPED"]
-    if not ran or skipped:
-        return "skipped", skipped[0] if skipped else f"no test of {target} is named {pattern}", seconds
+    if not ran:
+        return "missing", f"no test of {target} is named {pattern}", seconds
+    if skipped:
+        return "skipped", skipped[0], seconds
     return "passed", "", seconds
 
 
-def check_baseline(mutants):
-    """Every named test passes when no mutant is chosen; returns the seconds of each."""
+def check_baseline(mutants, may_skip):
+    """Every named test passes when no mutant is chosen; returns the seconds of each that is not skipped."""
     seconds = {}
     for test in sorted({test for mutant in mutants for test in mutant.tests}):
-        happened, what, seconds[test] = run_test(test, 1800)
+        happened, what, taken = run_test(test, 1800)
+        if happened == "skipped" and may_skip:
+            continue
         if happened != "passed":
             fail(f"without a mutant, {' '.join(test[:2])} {happened}: {what}\n{log_tail()}")
+        seconds[test] = taken
     return seconds
 
 
 def try_mutant(mutant, seconds):
     """Result and remark."""
-    for test in mutant.tests:
+    tests = [test for test in mutant.tests if test in seconds]
+    if not tests:
+        return "untried", "skipped here: " + ", ".join(" ".join(test[:2]) for test in mutant.tests)
+    for test in tests:
         happened, what, _ = run_test(test, 60 + 20 * seconds[test], mutant.id)
         if happened in ("failed", "crashed", "endless"):
             return happened, what
+    if len(tests) < len(mutant.tests):
+        return "untried", "its other tests are skipped here"
     return "SURVIVES", ", ".join(" ".join(test[:2]) for test in mutant.tests)
 
 
@@ -164,7 +175,24 @@ def targets_of(mutants):
     return {test[0] for mutant in mutants for test in mutant.tests}
 
 
-def try_groups(placed, source, jobs, report):
+def without_absent_targets(placed, source, report):
+    """Leaves out mutants whose tests this machine does not build."""
+    write_tree(source, {})
+    configure()
+    built = set(re.findall(r"(?m)^build (\w+): phony", (BUILD / "build.ninja").read_text()))
+    left = []
+    for mutant, places in placed:
+        absent = targets_of([mutant]) - built
+        if absent:
+            report(mutant, "untried", "not built here: " + ", ".join(sorted(absent)))
+        else:
+            left.append((mutant, places))
+    return left
+
+
+def try_groups(placed, source, jobs, may_skip, report):
+    if may_skip:
+        placed = without_absent_targets(placed, source, report)
     groups = grouped(placed)
     if groups and groups[0][0][0].alone:
         groups.insert(0, [])
@@ -186,7 +214,7 @@ def try_groups(placed, source, jobs, report):
                 groups = [group[: len(group) // 2], group[len(group) // 2:]] + groups
             continue
         if seconds is None:
-            seconds = check_baseline(everything)
+            seconds = check_baseline(everything, may_skip)
         for mutant in mutants:
             report(mutant, *try_mutant(mutant, seconds))
 
@@ -220,7 +248,7 @@ def main():
     results = []
 
     def report(mutant, result, remark):
-        results.append(result)
+        results.append(result)  # capitals: a failure
         print(f"{mutant.name:{wide}}  {result:8}  {remark}", flush=True)
 
     source = read_tree()
@@ -229,9 +257,11 @@ def main():
         places, why = place_edits(mutant, source)
         placed.append((mutant, places)) if places else report(mutant, "STALE", why)
     if placed:
-        try_groups(placed, source, options.jobs, report)
+        try_groups(placed, source, options.jobs, options.some is not None, report)
     bad = sum(result.isupper() for result in results)
-    print(f"{len(results)} mutants: {len(results) - bad} seen, {bad} not")
+    untried = results.count("untried")
+    print(f"{len(results)} mutants: {len(results) - bad - untried} seen, {bad} not" +
+          (f", {untried} untried" if untried else ""))
     return 1 if bad else 0
 
 
