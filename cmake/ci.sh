@@ -21,7 +21,8 @@ quietly() {
     }
 }
 
-# Some machines forbid what a leak checker does, and a few what AddressSanitizer does: a program that does nothing tells.
+# Some machines forbid what a leak checker does, and a few what AddressSanitizer does: a program that does nothing
+# tells.
 sanitizers_run() {
     : >out/ci-sanitizers.log
     echo 'int main() { return 0; }' | c++ -fsanitize=address,undefined -x c++ - -o out/ci-nothing || return 0
