@@ -35,7 +35,9 @@ base::Status CullBounds::check() const
 uint32_t CullBounds::run() const
 {
     if (given.traditional()) return tested.count;
+    constexpr uint32_t ahead = 64;  // bounds come from memory: it is asked for them before they are needed
     given.for_slices(tested.count, [&](uint32_t i) {
+        if (i + ahead < tested.count) __builtin_prefetch(&given.crowd.bound_of(tested[i + ahead]));
         const math::RoughSphere &bound = given.crowd.bound_of(tested[i]);
         bool any = false;
         for (const CameraState &eye : given.eyes) any = any || !math::is_outside(eye.rough, bound);

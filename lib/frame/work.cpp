@@ -110,8 +110,10 @@ void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const>
     for (const model::Template *tmpl : crowd.templates())
         dofs_each = std::max(dofs_each, static_cast<uint32_t>(tmpl->rig.dofs.size()));
     if (crowd.behaviours().mechanism_count() > 0) grow(last.dofs, (size_t(count) + 1) * dofs_each);
-    const size_t max_layers = size_t(crowd.layers().slot_count()) * pose::max_layers +
-                              3 * size_t(crowd.follows().slot_count()) +
+    const size_t on_track = 3;
+    const size_t of_crowd =
+        size_t(crowd.layers().slot_count()) * pose::max_layers + on_track * size_t(crowd.follows().slot_count());
+    const size_t max_layers = std::min(of_crowd, count * (pose::max_layers + on_track)) +
                               (crowd.behaviours().any_blend() ? 2 * size_t(count) : 0);
     if (last.layers.capacity() < max_layers) {
         last.layers.clear();

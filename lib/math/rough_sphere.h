@@ -30,13 +30,14 @@ struct RoughFrustum {
 inline bool is_outside(const RoughFrustum &frustum, const RoughSphere &sphere)
 {
     const F4 x = splat(sphere.x), y = splat(sphere.y), z = splat(sphere.z), radius = splat(sphere.radius);
-    const auto beyond = [&](int k) {
-        return frustum.x[k] * x + frustum.y[k] * y + frustum.z[k] * z + (frustum.offset[k] + radius) < splat(0);
+    const auto is_beyond = [&](int k) {
+        const auto beyond =
+            frustum.x[k] * x + frustum.y[k] * y + frustum.z[k] * z + (frustum.offset[k] + radius) < splat(0);
+        uint64_t lanes[2];
+        std::memcpy(lanes, &beyond, sizeof lanes);
+        return (lanes[0] | lanes[1]) != 0;
     };
-    const auto any = beyond(0) | beyond(1);
-    uint64_t lanes[2];
-    std::memcpy(lanes, &any, sizeof lanes);
-    return (lanes[0] | lanes[1]) != 0;
+    return is_beyond(0) || is_beyond(1);  // the sides of the picture first: few are beyond the others alone
 }
 
 }  // namespace claque::math

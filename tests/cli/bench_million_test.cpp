@@ -27,7 +27,7 @@ TEST_F(BenchMillion, PeopleOutOfViewTakeNoMemoryOfUpdates)
         // 643 if updates and caches held something for everyone, 1500 if they held all.
         const bool is_indexed = run["kind"] == "some in view, with a scene index";
         EXPECT_GT(run["bytes_each_more"].get<double>(), 200);
-        EXPECT_LT(run["bytes_each_more"].get<double>(), is_indexed ? 530 : 320) << run;
+        EXPECT_LT(run["bytes_each_more"].get<double>(), is_indexed ? 480 : 290) << run;
     }
     EXPECT_EQ(compared, 3u);
     EXPECT_EQ(claque({"plot", path("city.json"), "--out", path("city.svg")}).code, 0);
