@@ -211,11 +211,11 @@ void Canvas::bind_vertices(const Individual &individual)
 SurfaceState Canvas::state_of(const Individual &individual, const model::Surface &surface)
 {
     SurfaceState state;
-    const std::ptrdiff_t index = &surface - individual.level->surfaces.data();
-    const bool linear = !individual.ready->linear.empty() && individual.ready->linear[static_cast<size_t>(index)];
-    state.texture = individual.own
-                        ? *individual.own
-                        : individual.prepared->textures[surface.texture].name_of(individual.item->texture_set, linear);
+    const size_t index = static_cast<size_t>(&surface - individual.level->surfaces.data());
+    const bool linear = !individual.ready->linear.empty() && individual.ready->linear[index];
+    const uint32_t step = individual.ready->smooth.empty() ? 0 : individual.ready->smooth[index];
+    const PreparedTexture &texture = individual.prepared->textures[surface.texture];
+    state.texture = individual.own ? *individual.own : texture.name_of(individual.item->texture_set, linear, step);
     state.double_sided = surface.double_sided;
     state.mirrored = individual.item->mirrored;
     state.colour_array = !individual.level->colours.empty();

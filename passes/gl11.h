@@ -48,8 +48,9 @@ constexpr Enum cull_face = 0x0B44, depth_test = 0x0B71, normalize = 0x0BA1;
 constexpr Enum lighting = 0x0B50, stencil_test = 0x0B90, polygon_offset_fill = 0x8037;
 constexpr Enum stencil_bits = 0x0D57, viewport = 0x0BA2;
 constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0B41, polygon_stipple = 0x0B42;
-// `multisample` is GL 1.3 and used only where the host has it.
+// `multisample` and those named after it are GL 1.3 and used only where the host has them.
 constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;
+constexpr Enum sample_alpha_to_coverage = 0x809E, sample_alpha_to_one = 0x809F;
 constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
 
 constexpr Enum shade_model = 0x0B54, flat = 0x1D00, texture_1d = 0x0DE0;

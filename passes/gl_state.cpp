@@ -17,8 +17,9 @@ void set_fragments(const Gl11 &gl)
     gl.DepthMask(gl::yes);
 }
 
-// Smoothing would multiply coverage into the alpha that carries zone keys.
-void set_rasterisation(const Gl11 &gl, bool has_multisample)
+// Smoothing would multiply coverage into the alpha that carries zone keys, and samples would take theirs from it or
+// replace it.
+void set_rasterisation(const Gl11 &gl, Multisample multisample)
 {
     gl.CullFace(gl::back);
     gl.Disable(gl::point_smooth);
@@ -26,7 +27,10 @@ void set_rasterisation(const Gl11 &gl, bool has_multisample)
     gl.Disable(gl::polygon_smooth);
     gl.Disable(gl::line_stipple);
     gl.Disable(gl::polygon_stipple);
-    if (has_multisample) gl.Disable(gl::multisample);
+    if (multisample == Multisample::missing) return;
+    if (multisample == Multisample::off) gl.Disable(gl::multisample);
+    gl.Disable(gl::sample_alpha_to_coverage);
+    gl.Disable(gl::sample_alpha_to_one);
 }
 
 void set_texturing(const Gl11 &gl)
@@ -60,10 +64,10 @@ void set_arrays(const Gl11 &gl)
 
 }  // namespace
 
-void GlState::begin(const float *projection, bool has_multisample)
+void GlState::begin(const float *projection, Multisample multisample)
 {
     set_fragments(gl_);
-    set_rasterisation(gl_, has_multisample);
+    set_rasterisation(gl_, multisample);
     set_texturing(gl_);
     set_matrices(gl_, projection);
     set_arrays(gl_);

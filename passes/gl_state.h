@@ -26,6 +26,9 @@ struct SurfaceState {
     }
 };
 
+// What a draw does about GL_MULTISAMPLE: nothing, as this GL has none; turns it off; leaves it as the host has it.
+enum class Multisample : uint8_t { missing, off, hosts };
+
 class GlState
 {
 public:
@@ -33,7 +36,7 @@ public:
 
     // Sets all state that is constant during a draw. The rest is then unknown, so that the first apply() sets
     // everything. The host's RGB mask stays; alpha writes are masked.
-    void begin(const float *projection, bool has_multisample);
+    void begin(const float *projection, Multisample multisample);
 
     // Restores the host's shade model and enables texturing again, as begin() left them. To be called before other code
     // sees GL's state.

@@ -59,7 +59,9 @@ constexpr Left left_by_minimal[] = {
     {0x0DE1, "GL_TEXTURE_2D: on"},
     {0x8069, "GL_TEXTURE_BINDING_2D: the last surface's texture, 0 after hooks"},
     {0x2200, "GL_TEXTURE_ENV_MODE: GL_MODULATE"},
-    {0x809D, "GL_MULTISAMPLE, where GL has it: off"},
+    {0x809D, "GL_MULTISAMPLE, where GL has it: off, or as the host has it with RendererOptions::multisample"},
+    {0x809E, "GL_SAMPLE_ALPHA_TO_COVERAGE, where GL has it: off"},
+    {0x809F, "GL_SAMPLE_ALPHA_TO_ONE, where GL has it: off"},
 };
 
 constexpr Left left_by_none[] = {

@@ -5,9 +5,9 @@
 
 namespace claque::passes
 {
-HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, const draw::DrawList &list,
-                     const draw::Item &item)
-    : gl_(gl), preflight_(preflight), state_(state), list_(list), item_(item)
+HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, Multisample multisample,
+                     const draw::DrawList &list, const draw::Item &item)
+    : gl_(gl), preflight_(preflight), state_(state), multisample_(multisample), list_(list), item_(item)
 {
     state_.end_flat();
     gl_.BindTexture(gl::texture_2d, 0);  // first: the pop restores parameters to the texture that was bound at the push
@@ -57,7 +57,7 @@ base::Status HookFrame::before()
     end_modes();
     if (has_texture_) texture_ = static_cast<uint32_t>(integer(gl_, gl::texture_binding_2d));
     const base::Status status = preflight_.check_target(gl_);
-    if (status.ok()) state_.begin(list_.projection, preflight_.has_multisample());
+    if (status.ok()) state_.begin(list_.projection, multisample_);
     return named(status, "before");
 }
 
@@ -74,7 +74,7 @@ base::Status HookFrame::after()
     gl_.PopAttrib();
     level_matrices();
     const base::Status status = preflight_.check_target(gl_);
-    state_.begin(list_.projection, preflight_.has_multisample());
+    state_.begin(list_.projection, multisample_);
     return named(status, hooks.after ? "after" : "before");
 }
 

@@ -20,8 +20,8 @@ constexpr StackEntries hook_stack_entries = {1, 1};
 class HookFrame
 {
 public:
-    HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, const draw::DrawList &list,
-              const draw::Item &item);
+    HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, Multisample multisample,
+              const draw::DrawList &list, const draw::Item &item);
 
     // Calls the first hook, if any. Fails with CLQ_GL_STATE if the hook left state that GL 1.1 cannot undo and that
     // would spoil the picture: the individual is then not drawn.
@@ -52,6 +52,7 @@ private:
     const Gl11 &gl_;
     const Preflight &preflight_;
     GlState &state_;
+    Multisample multisample_;
     const draw::DrawList &list_;
     const draw::Item &item_;
     Depths found_;

@@ -54,6 +54,7 @@ ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const Rendere
       templates_(templates),
       close_(close),
       guard_(options.guard),
+      multisample_(preflight.multisample(options.multisample)),
       scratch_(scratch),
       list_(list),
       stats_(stats),
@@ -67,7 +68,7 @@ ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const Rendere
 base::Status ListDrawer::draw()
 {
     const StateGuard guard(gl_, guard_);
-    state_.begin(list_.projection, preflight_.has_multisample());
+    state_.begin(list_.projection, multisample_);
     const auto by_matrices = [](const draw::Item &item) { return item.locals != nullptr; };
     if (std::any_of(list_.items.begin(), list_.items.end(), by_matrices)) room_ = matrix_room(gl_);
     base::Status first;
@@ -129,7 +130,7 @@ void ListDrawer::flush_gl()
 ListDrawer::Next ListDrawer::draw_between_hooks(Individual &individual, base::Status &first)
 {
     batch_.flush();
-    HookFrame frame(gl_, preflight_, state_, list_, *individual.item);
+    HookFrame frame(gl_, preflight_, state_, multisample_, list_, *individual.item);
     const uint32_t room = room_;
     base::Status status = frame.before();
     if (status.ok() && frame.thrown().ok()) {

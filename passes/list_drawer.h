@@ -37,6 +37,7 @@ private:
     const Array<PreparedTemplate> &templates_;
     const CloseTextures &close_;
     Guard guard_;
+    Multisample multisample_;
     Scratch &scratch_;
     const draw::DrawList &list_;
     DrawStats &stats_;

@@ -26,6 +26,8 @@ struct RendererOptions {
     uint64_t close_bytes = 0;        // of textures of individuals near the eye (close_textures.h); 0: none
     float close_distance_m = 0;      // individuals from here on show none; 0: measured (close_distance.h)
     uint32_t close_per_draw = 0;     // the most that one draw makes; 0: all that it wants
+    bool multisample = false;        // GL_MULTISAMPLE as the host has it, otherwise off
+    bool smooth_levels = false;      // coarser levels show smoothed images (smooth_levels.h)
     bool close_nearest = false;      // GL_NEAREST and one mip level, to compare them with the template's textures
 };
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "passes/gl11.h"
+#include "passes/gl_state.h"
 #include "passes/options.h"
 
 namespace claque::passes
@@ -30,7 +31,10 @@ public:
     base::Status check_target(const Gl11 &gl) const;  // the same without the stacks
     base::Status check_upload(const Gl11 &gl) const;
 
-    bool has_multisample() const { return multisample_; }
+    Multisample multisample(bool hosts) const
+    {
+        return !multisample_ ? Multisample::missing : hosts ? Multisample::hosts : Multisample::off;
+    }
 
 private:
     static constexpr int max_spoilers = 24;

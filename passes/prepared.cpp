@@ -8,6 +8,7 @@
 #include "passes/flat.h"
 #include "passes/linear_clean.h"
 #include "passes/parts.h"
+#include "passes/smooth_levels.h"
 
 namespace claque::passes
 {
@@ -187,6 +188,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         prepare_shadow(ready, level);
     }
     prepare_placement(out);
+    if (options.smooth_levels) prepare_smooth(out);
     if (options.close_bytes != 0) prepare_close(out, options);
     return base::Status::good();
 }

@@ -34,17 +34,20 @@ struct PreparedTexture {
         : names(memory), linear_names(memory), tests(memory), close(memory)
     {
     }
-    Array<uint32_t> names;         // GL names, one per texture set; one if all sets show the same
+    // GL names, one per texture set (one if all sets show the same); then as many for each step of smooth_levels.h.
+    Array<uint32_t> names;
+    uint32_t smooth_steps = 0;
     Array<uint32_t> linear_names;  // GL names of copies filtered GL_LINEAR; empty unless requested
     float hole_reference = 0;      // GL_GEQUAL: the lowest key passes, a hole fails
     float fused_reference = 0;     // GL_GEQUAL: the single test of the fused strategy
     Array<ZoneTest> tests;         // as model::Texture::keys
     Array<CloseImage> close;       // as `names`; empty if individuals get no textures of their own
 
-    uint32_t name_of(uint32_t set, bool linear) const
+    size_t sets() const { return names.size() / (1 + smooth_steps); }
+    uint32_t name_of(uint32_t set, bool linear, uint32_t smooth_step) const
     {
-        const Array<uint32_t> &of = linear ? linear_names : names;
-        return of[set < of.size() ? set : 0];
+        const size_t at = set < sets() ? set : 0;
+        return linear ? linear_names[at] : names[smooth_step * sets() + at];
     }
 };
 
@@ -113,6 +116,7 @@ struct PreparedLevel {
           flat(memory),
           filtered(memory),
           linear(memory),
+          smooth(memory),
           shadow_indices(memory),
           shadow_firsts(memory),
           close(memory)
@@ -134,6 +138,8 @@ struct PreparedLevel {
     Array<model::Level> filtered;
     Array<uint8_t> linear;
     const model::Level &drawn(const model::Level &level) const { return filtered.empty() ? level : filtered[0]; }
+
+    Array<uint8_t> smooth;  // per surface as drawn: its step (smooth_levels.h); empty: 0
 
     Array<uint32_t> shadow_indices;  // every triangle once, part by part, by source vertices: see ShadowDrawer
     Array<uint32_t> shadow_firsts;   // where each part begins, and the end

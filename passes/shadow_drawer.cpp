@@ -54,7 +54,7 @@ ShadowDrawer::ShadowDrawer(const Gl11 &gl, const Preflight &preflight, const Arr
 void ShadowDrawer::set_state()
 {
     DrawStats unused;
-    GlState(gl_, unused).begin(list_.projection, preflight_.has_multisample());
+    GlState(gl_, unused).begin(list_.projection, preflight_.multisample(false));
     for (const gl::Enum off : {gl::texture_2d, gl::lighting, gl::alpha_test, gl::cull_face}) gl_.Disable(off);
     gl_.DisableClientState(gl::normal_array);
     gl_.DisableClientState(gl::texture_coord_array);

@@ -25,9 +25,9 @@ void VisibilityArrays::reserve()
     for (uint32_t i = 0; i < max_corners; ++i) indices[i] = static_cast<uint16_t>(i);
 }
 
-void VisibilityDrawer::begin(bool has_multisample)
+void VisibilityDrawer::begin(Multisample multisample)
 {
-    GlState(gl_, stats_).begin(list_.projection, has_multisample);
+    GlState(gl_, stats_).begin(list_.projection, multisample);
     for (const gl::Enum off : {gl::lighting, fog, dither, gl::polygon_offset_fill, gl::colour_material})
         gl_.Disable(off);
     gl_.ColorMask(gl::yes, gl::yes, gl::yes, gl::no);
@@ -42,9 +42,9 @@ void VisibilityDrawer::begin(bool has_multisample)
     gl_.ColorPointer(4, gl::unsigned_byte, 0, arrays_.colours.data());
 }
 
-base::Status VisibilityDrawer::draw(bool has_multisample)
+base::Status VisibilityDrawer::draw(Multisample multisample)
 {
-    begin(has_multisample);
+    begin(multisample);
     base::Status first;
     uint64_t number = options_.first_number;
     for (size_t i = 0; i < list_.items.size(); ++i) {

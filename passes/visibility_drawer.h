@@ -3,6 +3,7 @@
 
 #include "lib/draw/triangle_numbers.h"
 #include "lib/draw/vertex_source.h"
+#include "passes/gl_state.h"
 #include "passes/hole_textures.h"
 #include "passes/options.h"
 
@@ -42,10 +43,10 @@ public:
 
     // All state has been checked and is guarded by the caller. Returns CLQ_OUT_OF_MEMORY for an item without vertices;
     // the others are drawn.
-    base::Status draw(bool has_multisample);
+    base::Status draw(Multisample multisample);
 
 private:
-    void begin(bool has_multisample);
+    void begin(Multisample multisample);
     void draw_item(const draw::Item &item, const draw::Vertices &vertices, uint64_t first);
     void set_surface(const draw::Item &item, const model::Surface &surface);
     void add(const model::Level &level, const draw::Vertices &vertices, uint32_t first_index, uint64_t number);

@@ -101,6 +101,18 @@ typedef struct clq_renderer_def {
     /* Live hosts: the most textures that one draw makes, the nearest first; individuals wait for the others and are
      * drawn by the strategy meanwhile. The picture then depends on earlier draws. 0 (default): no limit. */
     uint32_t close_textures_per_draw;
+    /* For targets with several samples a pixel. True: GL_MULTISAMPLE stays as the host has it, so that people have
+     * smooth edges as all else in the picture. GL takes the texel at the centre of a pixel, which may lie beside a
+     * triangle that covers the pixel in part; its share of the pixel may then have the shade of a texel beside it.
+     * False (default): it is off, and the people's pixels are those of a target with one sample. It is off in either
+     * case for shadows and visibility pictures. */
+    bool multisample;
+    /* From afar several texels fall on a pixel. GL_NEAREST shows one of them, another one in each frame, and pictures
+     * in motion flicker. True: levels that begin at such a distance show images in which each texel is the mean of the
+     * texels of its zone around it. Zones keep their borders to the pixel. It takes up to four more copies of each
+     * texture in GL, and time in clq_renderer_prepare. Textures of hooks are shown as they are. False (default): all
+     * levels show the template's images. */
+    bool smooth_levels;
 } clq_renderer_def;
 
 static inline clq_renderer_def clq_renderer_def_init(void)

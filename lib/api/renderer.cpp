@@ -35,6 +35,8 @@ passes::RendererOptions options_of(const clq_renderer_def &def)
             "close_distance_m is negative or not finite");
     options.close_distance_m = def.close_distance_m;
     options.close_per_draw = def.close_textures_per_draw;
+    options.multisample = def.multisample;
+    options.smooth_levels = def.smooth_levels;
     return options;
 }
 

@@ -83,8 +83,9 @@ void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
         ->check(cache_choice)
         ->capture_default_str();
     c.add_option("--filter", a->setup.filter,
-                 "How textures are sampled; linear filters clean triangles where that mixes no zones")
-        ->check(CLI::IsMember({"nearest", "linear"}))
+                 "How textures are sampled; linear filters clean triangles where that mixes no zones, levels shows "
+                 "smoothed images where several texels fall on a pixel")
+        ->check(CLI::IsMember({"nearest", "linear", "levels"}))
         ->capture_default_str();
     c.add_option("--close-textures", a->setup.close_mib,
                  "Filtered textures of their own for people near the eye, within this memory in MiB (0: none)")

@@ -25,6 +25,7 @@ Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
     scene["count"] = s.count, scene["seed"] = s.seed, scene["camera"] = s.camera, scene["hour"] = s.hour;
     scene["size_px"] = {options.width, options.height};
     scene["format"] = s.format, scene["filter"] = s.filter;
+    if (s.multisample != 1) scene["multisample"] = s.multisample;
     if (s.close_mib != 0) scene["close_textures"] = {s.close_mib, s.close_distance_m};
     scene["cull"] = {s.cull, s.cull_scale};
     scene["shape"] = {s.rigid_mode, s.vertex_format};

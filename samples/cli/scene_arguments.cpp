@@ -39,6 +39,11 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
         ->check(CLI::IsMember({"rgba8888", "rgb565"}))
         ->capture_default_str();
     command
+        .add_option("--multisample", a.multisample,
+                    "Samples a pixel of the drawing surface, on EGL: smooth edges (1: none)")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    command
         .add_option("--rigid-mode", a.rigid_mode,
                     "Rigid parts by transformed vertices, or by OpenGL's matrix stack (S0 6.2.2)")
         ->check(CLI::IsMember({"vertices", "matrices"}))
@@ -173,7 +178,8 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.strategy = strategy_named(a.strategy);
     options.flush_triangles = a.flush_triangles, options.flat_triangles = a.flat_triangles;
-    options.linear_clean = a.filter == "linear";
+    options.linear_clean = a.filter == "linear", options.smooth_levels = a.filter == "levels";
+    options.multisample = a.multisample;
     options.close_texture_bytes = uint64_t(a.close_mib) << 20;
     options.close_distance_m = static_cast<float>(a.close_distance_m);
     return options;

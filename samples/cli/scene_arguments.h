@@ -47,6 +47,7 @@ struct SceneArguments {
     double hour = 0;  // 0: not given
     uint32_t close_mib = 0;
     double close_distance_m = 0;
+    int multisample = 1;
 
     int width = 1024, height = 768;
 };

@@ -9,7 +9,7 @@ namespace contexts
 using Handle = void *;
 
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not);
-std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not);
+std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not, int samples = 1);
 std::unique_ptr<Offscreen> make_glx(int width, int height, PixelFormat format, std::string &why_not);
 
 void tell_leak_checker();

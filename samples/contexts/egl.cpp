@@ -9,7 +9,8 @@ namespace
 constexpr unsigned platform_surfaceless = 0x31DD, opengl_api = 0x30A2;
 constexpr int surface_type = 0x3033, pbuffer_bit = 1, renderable_type = 0x3040, opengl_bit = 8, end = 0x3038;
 constexpr int alpha_size = 0x3021, blue_size = 0x3022, green_size = 0x3023, red_size = 0x3024;
-constexpr int depth_size = 0x3025, stencil_size = 0x3026, samples = 0x3031, width_key = 0x3057, height_key = 0x3056;
+constexpr int depth_size = 0x3025, stencil_size = 0x3026, sample_count = 0x3031, width_key = 0x3057,
+              height_key = 0x3056;
 
 struct EglLibrary {
     Handle (*get_proc_address)(const char *) = nullptr;
@@ -66,7 +67,7 @@ int config_value(Handle config, int what)
 }
 
 // EGL sorts deeper colours first, so the exact format has to be searched for.
-Handle choose_config(PixelFormat format)
+Handle choose_config(PixelFormat format, int samples)
 {
     const bool small = format == PixelFormat::rgb565;
     const int wanted[] = {surface_type, pbuffer_bit, renderable_type, opengl_bit, depth_size, 24, end};
@@ -77,16 +78,53 @@ Handle choose_config(PixelFormat format)
         if (config_value(configs[i], red_size) == (small ? 5 : 8) &&
             config_value(configs[i], green_size) == (small ? 6 : 8) &&
             config_value(configs[i], blue_size) == (small ? 5 : 8) &&
-            config_value(configs[i], alpha_size) == (small ? 0 : 8) && config_value(configs[i], samples) == 0 &&
+            config_value(configs[i], alpha_size) == (small ? 0 : 8) &&
+            config_value(configs[i], sample_count) == (samples > 1 ? samples : 0) &&
             config_value(configs[i], depth_size) == 24 && config_value(configs[i], stencil_size) == 8)
             return configs[i];
     return nullptr;
 }
 
+// A framebuffer object of GL 3.0 with the mean of each pixel's samples, bound for reading.
+struct Resolved {
+    unsigned frame = 0, pixels = 0;
+};
+
+template <class Function>
+Function ask(const char *name)
+{
+    return reinterpret_cast<Function>(egl_library().get_proc_address(name));
+}
+
+Resolved resolve(int width, int height)
+{
+    constexpr unsigned to = 0x8CA9, from = 0x8CA8, renderbuffer = 0x8D41, colour = 0x8CE0, rgba8 = 0x8058;
+    constexpr unsigned colour_bit = 0x4000, nearest = 0x2600;
+    Resolved made;
+    ask<void (*)(int, unsigned *)>("glGenFramebuffers")(1, &made.frame);
+    ask<void (*)(int, unsigned *)>("glGenRenderbuffers")(1, &made.pixels);
+    ask<void (*)(unsigned, unsigned)>("glBindRenderbuffer")(renderbuffer, made.pixels);
+    ask<void (*)(unsigned, unsigned, int, int)>("glRenderbufferStorage")(renderbuffer, rgba8, width, height);
+    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(to, made.frame);
+    ask<void (*)(unsigned, unsigned, unsigned, unsigned)>("glFramebufferRenderbuffer")(to, colour, renderbuffer,
+                                                                                       made.pixels);
+    ask<void (*)(int, int, int, int, int, int, int, int, unsigned, unsigned)>("glBlitFramebuffer")(
+        0, 0, width, height, 0, 0, width, height, colour_bit, nearest);
+    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(from, made.frame);
+    return made;
+}
+
+void forget(const Resolved &made)
+{
+    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(0x8D40, 0);
+    ask<void (*)(int, const unsigned *)>("glDeleteFramebuffers")(1, &made.frame);
+    ask<void (*)(int, const unsigned *)>("glDeleteRenderbuffers")(1, &made.pixels);
+}
+
 class EglOffscreen : public Offscreen
 {
 public:
-    EglOffscreen(int width, int height) : Offscreen(width, height) {}
+    EglOffscreen(int width, int height, int samples) : Offscreen(width, height), samples_(samples) {}
     ~EglOffscreen() override
     {
         const EglLibrary &l = egl_library();
@@ -98,9 +136,11 @@ public:
     bool start(PixelFormat format, std::string &why_not)
     {
         const EglLibrary &l = egl_library();
-        Handle config = l.bind_api(opengl_api) ? choose_config(format) : nullptr;
+        Handle config = l.bind_api(opengl_api) ? choose_config(format, samples_) : nullptr;
         if (!config) {
-            why_not = "EGL: no pixel buffer with desktop OpenGL in this format";
+            why_not = samples_ == 1 ? "EGL: no pixel buffer with desktop OpenGL in this format"
+                                    : "EGL: no pixel buffer with desktop OpenGL in this format with " +
+                                          std::to_string(samples_) + " samples a pixel";
             return false;
         }
         const int size[] = {width_key, width(), height_key, height(), end};
@@ -141,18 +181,30 @@ private:
         return made_current;
     }
 
+    // Mesa 22.3.6 does not average the samples when pixels are read, as GL says; a blit to a framebuffer object does.
+    void begin_read() const override
+    {
+        if (samples_ > 1) resolved_ = resolve(width(), height());
+    }
+    void end_read() const override
+    {
+        if (samples_ > 1) forget(resolved_);
+    }
+
     Handle surface_ = nullptr, context_ = nullptr;
+    int samples_;
+    mutable Resolved resolved_;
 };
 
 }  // namespace
 
-std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not)
+std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not, int samples)
 {
     if (egl_library().why_not) {
         why_not = egl_library().why_not;
         return nullptr;
     }
-    auto made = std::make_unique<EglOffscreen>(width, height);
+    auto made = std::make_unique<EglOffscreen>(width, height, samples);
     if (!made->start(format, why_not)) return nullptr;
     return made;
 }

@@ -66,6 +66,7 @@ bool Offscreen::describe(const char *kind, std::string &why_not)
 void Offscreen::read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const
 {
     ask<void (*)()>(*this, "glFinish")();
+    if (format == gl_rgb) begin_read();
     ask<void (*)(unsigned)>(*this, "glPushClientAttrib")(gl_client_pixel_store_bit);
     ask<void (*)(unsigned)>(*this, "glPushAttrib")(gl_pixel_mode_bit);
     default_pixel_state(*this);
@@ -73,6 +74,7 @@ void Offscreen::read(int x0, int x1, unsigned format, unsigned type, size_t pixe
                                                                                          format, type, out);
     ask<void (*)()>(*this, "glPopAttrib")();
     ask<void (*)()>(*this, "glPopClientAttrib")();
+    if (format == gl_rgb) end_read();
 
     const size_t row_bytes = pixel_bytes * static_cast<size_t>(x1 - x0);
     char *rows = static_cast<char *>(out);
@@ -102,7 +104,8 @@ Kind kind_of_environment()
     return name == "osmesa" ? Kind::osmesa : name == "egl" ? Kind::egl : name == "glx" ? Kind::glx : Kind::any;
 }
 
-std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not)
+std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not,
+                                          int samples)
 {
     if (width < 1 || height < 1 || width > largest_side_px || height > largest_side_px) {
         why_not = "a picture of " + std::to_string(width) + " x " + std::to_string(height) +
@@ -111,6 +114,15 @@ std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, Pixe
     }
     tell_leak_checker();
     if (kind == Kind::any) kind = kind_of_environment();
+    if (samples > 1 && kind != Kind::any && kind != Kind::egl) {
+        why_not = "only EGL has contexts with several samples a pixel";
+        return nullptr;
+    }
+    if (samples > 1 && format != PixelFormat::rgba8888) {
+        why_not = "contexts with several samples a pixel have the format rgba8888";
+        return nullptr;
+    }
+    if (samples > 1) return make_egl(width, height, format, why_not, samples);
     if (kind == Kind::glx) return make_glx(width, height, format, why_not);
     std::unique_ptr<Offscreen> made;
     std::string osmesa_why, egl_why;

@@ -52,6 +52,9 @@ public:
 protected:
     Offscreen(int width, int height) : width_(width), height_(height) {}
     bool describe(const char *kind, std::string &why_not);  // fills name_, checks that GL answers
+    // Called before and after colours are read, where a pixel of the framebuffer has several samples.
+    virtual void begin_read() const {}
+    virtual void end_read() const {}
 
 private:
     void read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const;
@@ -65,6 +68,8 @@ Kind kind_of_environment();
 
 // Makes a context of width x height pixels (1 to 16384 each) with 24 bits of depth and 8 of stencil, and makes it
 // current. Null, and one sentence in why_not, if this machine cannot.
-std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not);
+// `samples` a pixel, 1 or more: EGL alone has contexts with several, and in rgba8888.
+std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not,
+                                          int samples = 1);
 
 }  // namespace contexts

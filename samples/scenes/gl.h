@@ -28,7 +28,7 @@ constexpr unsigned linear = 0x2601, linear_mipmap_nearest = 0x2701, linear_mipma
                    clamp = 0x2900;
 constexpr unsigned unsigned_byte = 0x1401, unsigned_int = 0x1405, float_type = 0x1406, unpack_alignment = 0xCF5;
 constexpr unsigned vertex_array = 0x8074, normal_array = 0x8075, color_array = 0x8076, texcoord_array = 0x8078;
-constexpr unsigned version = 0x1F02, scissor_test = 0xC11;
+constexpr unsigned version = 0x1F02, scissor_test = 0xC11, multisample = 0x809D;
 constexpr unsigned fog = 0xB60, fog_density = 0xB62, fog_mode = 0xB65, fog_color = 0xB66, exp = 0x800, exp2 = 0x801;
 constexpr unsigned polygon_offset_fill = 0x8037;
 }  // namespace gl

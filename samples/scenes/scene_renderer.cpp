@@ -17,7 +17,8 @@ SceneRenderer::SceneRenderer(Library &library, const SceneOptions &options) : li
     if (options_.shot == Shot::path && !options_.path)
         throw Failure("the scene '" + options_.scene + "' has no camera path, which was requested");
     std::string why_not;
-    offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not);
+    offscreen_ = contexts::make_offscreen(options.context, options.width, options.height, options.format, why_not,
+                                          options.multisample);
     if (!offscreen_) throw Failure("no OpenGL context: " + why_not);
     if (!options_.flush_triangles) options_.flush_triangles = offscreen_->flushes_cheaply() ? often : 0;
     if (!load(gl_, offscreen_->get_proc_address(), offscreen_->user(), why_not))
@@ -91,7 +92,8 @@ void SceneRenderer::use_strategy(clq_draw_strategy strategy)
         def.user = offscreen_->user();
         if (options_.tells_parts) def.get_proc_address = quiet_proc_address, def.user = offscreen_.get();
         def.strategy = strategy;
-        def.linear_clean = options_.linear_clean;
+        def.linear_clean = options_.linear_clean, def.smooth_levels = options_.smooth_levels;
+        def.multisample = options_.multisample > 1;
         def.close_texture_bytes = options_.close_texture_bytes;
         def.close_distance_m = options_.close_distance_m;
         def.flush_triangles = *options_.flush_triangles;
@@ -238,9 +240,16 @@ double halton(uint32_t i, uint32_t base)
 
 }  // namespace
 
+void SceneRenderer::set_multisample(bool on)
+{
+    if (options_.multisample == 1) return;
+    on ? gl_.Enable(gl::multisample) : gl_.Disable(gl::multisample);
+}
+
 const std::vector<uint8_t> &SceneRenderer::picture(double time_s, uint32_t samples)
 {
     if (samples <= 1) return picture(time_s);
+    set_multisample(false);  // the mean of means would be blurred
     std::vector<uint32_t> sums;
     for (uint32_t i = 1; i <= samples; ++i) {
         moved_px_[0] = halton(i, 2) - 0.5, moved_px_[1] = halton(i, 3) - 0.5;
@@ -249,6 +258,7 @@ const std::vector<uint8_t> &SceneRenderer::picture(double time_s, uint32_t sampl
         for (size_t k = 0; k < one.size(); ++k) sums[k] += one[k];
     }
     moved_px_[0] = moved_px_[1] = 0;
+    set_multisample(true);
     for (size_t k = 0; k < sums.size(); ++k) rgb_[k] = static_cast<uint8_t>((sums[k] + samples / 2) / samples);
     return rgb_;
 }

@@ -37,6 +37,8 @@ struct SceneOptions {
     contexts::PixelFormat format = contexts::PixelFormat::rgba8888;
     clq_draw_strategy strategy = CLQ_STRATEGY_FUSED;
     bool linear_clean = false;         // clq_renderer_def.linear_clean
+    bool smooth_levels = false;        // clq_renderer_def.smooth_levels
+    int multisample = 1;               // samples a pixel of the context (EGL), which people then have too
     uint64_t close_texture_bytes = 0;  // clq_renderer_def.close_texture_bytes
     float close_distance_m = 0;        // clq_renderer_def.close_distance_m
     // clq_renderer_def.flush_triangles; the environment is then flushed too. None: what is fast with the context.
@@ -83,8 +85,8 @@ public:
     // The same, and read; three bytes a pixel, top row first, valid until the next call.
     const std::vector<uint8_t> &picture(double time_s);
     // The mean of `samples` pictures of one time, each moved by its part of a pixel: anti-aliasing without
-    // multisampling, averaged over stored pixel values. All show the same poses, which are computed once. 1: as
-    // picture().
+    // multisampling (which is off), averaged over stored pixel values. All show the same poses, which are computed
+    // once. 1: as picture().
     const std::vector<uint8_t> &picture(double time_s, uint32_t samples);
     const std::vector<uint8_t> &read();
 
@@ -114,6 +116,7 @@ public:
     const std::optional<CameraPath> &path() const { return options_.path; }
 
 private:
+    void set_multisample(bool on);
     void expect_viewpoint() const;
     void take_shadows();
     clq_shadow_stats send_shadows();

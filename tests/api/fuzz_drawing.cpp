@@ -17,6 +17,7 @@ void World::new_renderer()
     const uint64_t budgets[] = {0, 0, 300, 1 << 20};
     def.close_texture_bytes = budgets[random_.below(4)], def.close_textures_per_draw = random_.below(3);
     def.close_distance_m = random_.one_in(2) ? 0 : 100;
+    def.multisample = random_.one_in(2), def.smooth_levels = random_.one_in(2);
     def.flush_triangles = random_.one_in(3) ? 10 : 0;
     ASSERT_EQ(clq_renderer_create(test_world_.context, &def, &renderer_), CLQ_OK) << clq_last_error();
     for (clq_template *tmpl : templates_) EXPECT_EQ(clq_renderer_prepare(renderer_, tmpl), CLQ_OK) << clq_last_error();

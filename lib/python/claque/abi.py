@@ -182,7 +182,8 @@ class RendererDef(Sized):
                 ("strategy", c_int), ("guard", c_int), ("colours", c_int), ("key_test", c_int),
                 ("batch_triangles", c_uint32), ("linear_clean", c_bool), ("flush_triangles", c_uint32),
                 ("flat_triangles", c_uint32), ("close_texture_bytes", c_uint64),
-                ("close_distance_m", c_float), ("close_textures_per_draw", c_uint32)]
+                ("close_distance_m", c_float), ("close_textures_per_draw", c_uint32),
+                ("multisample", c_bool), ("smooth_levels", c_bool)]
 
 
 class DrawStats(Sized):

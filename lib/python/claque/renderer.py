@@ -16,7 +16,7 @@ class Renderer(Owned):
 
     def __init__(self, context, target, strategy="fused", linear_clean=False, flush_triangles=0,
                  flat_triangles=64, close_texture_bytes=0, close_distance_m=0,
-                 close_textures_per_draw=0):
+                 close_textures_per_draw=0, multisample=False, smooth_levels=False):
         if strategy not in STRATEGIES:
             raise ValueError(f"{strategy!r} is none of {', '.join(STRATEGIES)}")
         definition = abi.RendererDef()
@@ -29,6 +29,7 @@ class Renderer(Owned):
         definition.close_texture_bytes = close_texture_bytes
         definition.close_distance_m = close_distance_m
         definition.close_textures_per_draw = close_textures_per_draw
+        definition.multisample, definition.smooth_levels = bool(multisample), bool(smooth_levels)
         super().__init__(made("clq_renderer_create", abi.call, context.handle, byref(definition)), context, target)
 
     def prepare(self, *templates):

@@ -55,7 +55,8 @@ void HostileHost::set_rasterisation() const
     host_.ask<void (*)(int32_t, uint16_t)>("glLineStipple")(3, 0x5555);
     host_.ask<void (*)(float)>("glLineWidth")(2);
     host_.ask<void (*)(float, float)>("glPolygonOffset")(1.5f, 2);  // GL_POLYGON_OFFSET_FILL stays off
-    host_.Enable(gl::multisample);
+    for (const gl::Enum what : {gl::multisample, gl::sample_alpha_to_coverage, gl::sample_alpha_to_one})
+        host_.Enable(what);
 }
 
 // Colour material on other faces and another property, odd materials that must be restored, lighting itself off.

@@ -140,7 +140,11 @@ State dump_state(const HostGl &host, bool has_multisample)
     }
     constexpr gl::Enum logic_op = 0x0BF2;  // indirect GLX does not know the query above
     state["GL_COLOR_LOGIC_OP"] = {logic_op, {double(host.IsEnabled(logic_op))}};
-    if (has_multisample) state["GL_MULTISAMPLE"] = {gl::multisample, {double(host.IsEnabled(gl::multisample))}};
+    if (has_multisample)
+        for (const auto &[text, name] : {std::pair("GL_MULTISAMPLE", gl::multisample),
+                                         std::pair("GL_SAMPLE_ALPHA_TO_COVERAGE", gl::sample_alpha_to_coverage),
+                                         std::pair("GL_SAMPLE_ALPHA_TO_ONE", gl::sample_alpha_to_one)})
+            state[text] = {name, {double(host.IsEnabled(name))}};
     dump_lights(state, host);
     dump_texturing(state, host);
     dump_tables(state, host);
