@@ -145,6 +145,11 @@ typedef struct clq_walkers_def {
      * this. 0: it walks at full speed until it avoids. Default 0.4: a wide door then lets about as many people through
      * as were measured (docs/navigation.md) */
     float time_gap_s;
+    /* As in clq_track_def: where feet stand on uneven ground, such as stairs that the navigation has as ramps. Called
+     * by clq_walkers_step, or by clq_stage_step, on the calling thread. Give the same function of points after a
+     * restore, so that the run goes on as it would have. NULL (default): feet stand on the navigation's ground */
+    clq_height_function ground;
+    void *ground_user;
 } clq_walkers_def;
 
 static inline clq_walkers_def clq_walkers_def_init(void)
@@ -250,8 +255,8 @@ typedef struct clq_walker_piece {
 
 /* Moves all walkers on by a tick. Every walker with a locomotion publishes a piece each piece_ticks, at a tick of its
  * own, about what is behind it; what comes is guessed for the steps at its end.
- * Fails: ARGUMENT, OUT_OF_MEMORY (the walkers have moved; the next step first makes the pieces that are missing, and
- * gives all of both ticks). */
+ * Fails: ARGUMENT, OUT_OF_MEMORY, CALLBACK (`ground` threw; after both the walkers have moved, and the next step first
+ * makes the pieces that are missing, and gives all of both ticks). */
 CLQ_API clq_status clq_walkers_step(clq_walkers *walkers);
 
 /* Gets the pieces that the last step published, by walker. The array lives until the next step. Fails: ARGUMENT. */

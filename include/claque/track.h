@@ -125,6 +125,13 @@ typedef struct clq_track_def {
      * radian, so that the shoulder on that side goes back; within 0.5 m it turns fully. Default: none */
     uint32_t passing_count;
     const clq_track_passing *passings; /* [passing_count] times ascend */
+    /* The ground where it is not level below a person, such as stairs: called while the track is created, on the
+     * calling thread, with points at the height of the person. Each step then stands on the ground at its own height,
+     * and moves by up to 0.15 m along the way to stand on one tread. The hips sink where a leg would not reach. NaN, or
+     * a height that no leg reaches: the foot stands at the height of the person. The heights are part of the track,
+     * which needs `ground` no more. Must not call claque. NULL (default): all steps are at the person's height */
+    clq_height_function ground;
+    void *ground_user;
 } clq_track_def;
 
 static inline clq_track_def clq_track_def_init(void)
@@ -164,7 +171,8 @@ CLQ_API clq_status clq_find_passings(clq_context *context, const clq_track_def *
  * two-bone mechanism of the leg holds it where it stands.
  *   def   copied
  *   out   owned by the host until clq_track_destroy
- * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point), LIMIT (10^6 s), OUT_OF_MEMORY. Threads: any. */
+ * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point), LIMIT (10^6 s), CALLBACK (`ground` threw), OUT_OF_MEMORY.
+ * Threads: any. */
 CLQ_API clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_def *def, clq_track **out);
 
 /* Releases the host's hold; NULL is ignored. Threads: any. */

@@ -126,6 +126,7 @@ clq_status clq_track_create(const clq_locomotion *locomotion, const clq_track_de
         settings.seed = wanted.seed;
         settings.previous = wanted.previous;
         settings.end_s = wanted.end_s;
+        settings.ground = wanted.ground, settings.ground_user = wanted.ground_user;
         if (wanted.previous)
             api::require(wanted.previous->context == locomotion->context, "the piece before is of another context");
         api::Making<clq_track> made(locomotion->context, locomotion);

@@ -29,7 +29,9 @@ clq_status clq_track_get_plants(const clq_track *track, uint32_t foot, double fr
         size_t at = 0;
         if (out)
             each([&](double begin_s, double end_s, const track::Plant &plant) {
-                const double height = track::position_at(*track, begin_s).y;
+                const double height = std::isfinite(plant.y)
+                                          ? (track->origin_m.y + double(plant.y)) / track->metres_per_unit
+                                          : track::position_at(*track, begin_s).y;
                 out[at++] = {begin_s,
                              end_s,
                              {(track->origin_m.x + double(plant.x)) / track->metres_per_unit, height,

@@ -56,7 +56,7 @@ void measure(Crowd &crowd, uint32_t row) noexcept
     const bool blends = layer_state || follow || behaviours.blends(row);
     const float added = layer_state ? layer_state->max_additive_weight() : 0;
     extent.sklsroot = blends ? blended_reach_of(tmpl, added) : tmpl.sklsroot.radius;
-    if (follow) extent.sklsroot = up(double(extent.sklsroot) + double(follow->track->locomotion->legs[0].max_shift));
+    if (follow) extent.sklsroot = up(double(extent.sklsroot) + double(room_of(*follow)));
     extent.slack = 0;
     if (const Extra *extra = crowd.extra_of(row)) {
         const base::SlotMap<Attachment> &all = crowd.tables.extras.attached;

@@ -70,6 +70,14 @@ inline const track::Track &piece_at(const Follow &follow, double track_time_s) n
     return *piece;
 }
 
+// How far from where its clips have it a track may move what an actor shows: its feet and, on stairs, its hips.
+inline float room_of(const Follow &follow) noexcept
+{
+    bool climbs = follow.track->climbs;
+    for (const track::Track *earlier : follow.earlier) climbs = climbs || (earlier && earlier->climbs);
+    return (climbs ? 2 : 1) * follow.track->locomotion->legs[0].max_shift;
+}
+
 inline double track_time(const Follow &follow, double time_s) { return time_s - follow.start_s; }
 
 }  // namespace claque::crowd

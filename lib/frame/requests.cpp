@@ -48,7 +48,7 @@ void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) co
     request.upper = shown.upper;
     const crowd::LayerState *layer_state = crowd.layers().of(row);
     request.blend_radius = crowd::blended_reach_of(*request.tmpl, layer_state ? layer_state->max_additive_weight() : 0);
-    if (follow) request.blend_radius += follow->track->locomotion->legs[0].max_shift;
+    if (follow) request.blend_radius += crowd::room_of(*follow);
     const size_t first = layers.size();
     layers.insert(layers.end(), shown.layers, shown.layers + shown.count);
     request.layers = {layers.data() + first, shown.count};

@@ -98,6 +98,46 @@ glm::vec3 knee_for(const glm::vec3 &hip, const glm::vec3 &ankle, const glm::vec3
     return hip + along * forward + side * (out / length(side));
 }
 
+// The joints of a leg, and where its foot has to go.
+struct Reach {
+    glm::vec3 hip, knee, ankle, foot, wanted;
+    Turn turn;  // of the foot
+    float thigh, shin;
+};
+
+Reach reach_of(const FootTarget &target, const Columns *globals)
+{
+    const Leg &leg = *target.leg;
+    const float sink = target.sink * target.weight;
+    Reach out;
+    out.hip = vec_of(globals[leg.thigh].c[3]), out.knee = vec_of(globals[leg.shin].c[3]);
+    out.ankle = point_of(globals[leg.shin], leg.ankle), out.foot = vec_of(globals[leg.foot].c[3]);
+    out.turn = about_y(target.turn_rad * target.weight);
+    const glm::vec3 clip_ball = point_of(globals[leg.foot], leg.ball);
+    const glm::vec3 clip_heel = point_of(globals[leg.foot], leg.heel);
+    const glm::vec3 ball = out.foot + out.turn * (clip_ball - out.foot);
+    const glm::vec3 heel = out.foot + out.turn * (clip_heel - out.foot);
+    const glm::vec3 clip_sole = sole_of(clip_ball, clip_heel), sole = sole_of(ball, heel);
+
+    // In the air, too, it is the sole that is moved: a foot that comes down or is lifted must not jump.
+    const float to_x = target.planted ? target.x : clip_sole.x + target.x;
+    const float to_z = target.planted ? target.z : clip_sole.z + target.z;
+    glm::vec3 shift(to_x - sole.x, 0, to_z - sole.z);
+    shift = shift * target.weight;
+    const float far = length(shift);
+    if (far > leg.max_shift) shift = shift * (leg.max_shift / far);
+    const auto within = [&leg](float up) {
+        return up < -leg.max_shift ? -leg.max_shift : up > leg.max_shift ? leg.max_shift : up;
+    };
+    const float low = (ball.y < heel.y ? ball.y : heel.y) + sink;
+    shift.y = -target.ground * target.weight * within(low);
+    if (target.y != 0) shift.y = within(shift.y + target.weight * target.y);
+    out.wanted = out.foot + shift;
+    out.wanted.y += sink;
+    out.thigh = length(out.knee - out.hip), out.shin = length(out.ankle - out.knee);
+    return out;
+}
+
 }  // namespace
 
 model::Array<uint32_t> nodes_below(const model::Rig &rig, uint32_t node, uint32_t end,
@@ -133,29 +173,10 @@ glm::vec3 sole_of(const glm::vec3 &ball, const glm::vec3 &heel) noexcept
 void move_foot(const FootTarget &target, Columns *globals) noexcept
 {
     const Leg &leg = *target.leg;
-    const glm::vec3 hip = vec_of(globals[leg.thigh].c[3]), knee = vec_of(globals[leg.shin].c[3]);
-    const glm::vec3 ankle = point_of(globals[leg.shin], leg.ankle), foot = vec_of(globals[leg.foot].c[3]);
-    const Turn turn = about_y(target.turn_rad * target.weight);
-    const glm::vec3 clip_ball = point_of(globals[leg.foot], leg.ball);
-    const glm::vec3 clip_heel = point_of(globals[leg.foot], leg.heel);
-    const glm::vec3 ball = foot + turn * (clip_ball - foot), heel = foot + turn * (clip_heel - foot);
-    const glm::vec3 clip_sole = sole_of(clip_ball, clip_heel), sole = sole_of(ball, heel);
-
-    // In the air, too, it is the sole that is moved: a foot that comes down or is lifted must not jump.
-    const float to_x = target.planted ? target.x : clip_sole.x + target.x;
-    const float to_z = target.planted ? target.z : clip_sole.z + target.z;
-    glm::vec3 shift(to_x - sole.x, 0, to_z - sole.z);
-    shift = shift * target.weight;
-    const float reach = length(shift);
-    if (reach > leg.max_shift) shift = shift * (leg.max_shift / reach);
-    const float low = ball.y < heel.y ? ball.y : heel.y;
-    shift.y = -target.ground * target.weight *
-              (low < -leg.max_shift  ? -leg.max_shift
-               : low > leg.max_shift ? leg.max_shift
-                                     : low);
-
-    const float thigh = length(knee - hip), shin = length(ankle - knee);
-    glm::vec3 wanted = foot + shift;
+    const Reach reach = reach_of(target, globals);
+    const glm::vec3 &hip = reach.hip, &knee = reach.knee, &ankle = reach.ankle;
+    const float thigh = reach.thigh, shin = reach.shin;
+    glm::vec3 wanted = reach.wanted;
     const float distance = length(wanted - hip), farthest = (thigh + shin) * 0.9995f;
     const float nearest = std::fabs(thigh - shin) * 1.0005f;
     if (!(thigh > 0) || !(shin > 0) || !(distance > nearest)) return;
@@ -168,7 +189,7 @@ void move_foot(const FootTarget &target, Columns *globals) noexcept
     const Turn lower = between(whole * (ankle - knee), wanted - new_knee) * whole;
     Move(upper, hip, hip).apply(leg.thigh_nodes, globals);
     Move(lower, knee, new_knee).apply(leg.shin_nodes, globals);
-    Move(turn, foot, wanted).apply(leg.foot_nodes, globals);
+    Move(reach.turn, reach.foot, wanted).apply(leg.foot_nodes, globals);
 }
 
 }  // namespace claque::pose

@@ -33,6 +33,9 @@ struct FootTarget {
     float turn_rad = 0;  // of the foot about y
     float weight = 1;    // [0, 1] of all of this
     float ground = 0;    // [0, 1] how far the lower of ball and heel is moved to y = 0
+    // Of the ground below a planted foot; in the air how far the foot is moved up. At 0 the ground is level.
+    float y = 0;
+    float sink = 0;  // by which the whole body has been lowered (PoseJob::run); of both feet the same
 };
 
 // The nodes below `node` with it, without those below `end` (none: all), ascending except for `node` itself, which

@@ -141,6 +141,17 @@ void PoseJob::run_local_transforms() const
     if (!rig->dofs.empty()) apply_dofs(*rig, dofs, weights.data, pose);
 }
 
+void PoseJob::move_feet(const uint32_t *nodes, uint32_t node_count) const
+{
+    const float sink = feet.count > 0 ? feet[0].sink * feet[0].weight : 0;
+    for (uint32_t i = 0; sink > 0 && i < node_count; ++i) {
+        Columns &node = globals[nodes ? nodes[i] : i];
+        node.c[3] = node.c[3] - F4{0, sink, 0, 0};
+    }
+    for (const FootTarget &foot : feet)
+        if (!nodes || level->active[foot.leg->foot]) move_foot(foot, globals.data);
+}
+
 void PoseJob::run() const
 {
     const PoseKernels &kernels = pose_kernels_of(simd_level);
@@ -160,8 +171,7 @@ void PoseJob::run() const
     }
     kernels.local_to_model(rig->parents.data(), nodes, node_count, globals.data);
     if (upper.upper) turn_upper(upper, some ? level->active.data() : nullptr, globals.data);
-    for (const FootTarget &foot : feet)
-        if (!some || level->active[foot.leg->foot]) move_foot(foot, globals.data);
+    move_feet(nodes, node_count);
     kernels.fill_palette(rig->palette.data(), some ? level->entries.data() : nullptr,
                          some ? count32(level->entries) : count32(rig->palette), globals.data, palette.data);
 }

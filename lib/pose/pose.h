@@ -45,7 +45,9 @@ struct PoseJob {
 
     base::Status check() const;  // reports the first broken rule
     void run() const;            // requires check()
-    bool has_rows() const;       // whether clips are sampled from motion
+    // The end of run(): `nodes` null: all.
+    void move_feet(const uint32_t *nodes, uint32_t node_count) const;
+    bool has_rows() const;  // whether clips are sampled from motion
 
     // Instead of run(): writes local transforms to `locals`, and the weights.
     void run_local_transforms() const;

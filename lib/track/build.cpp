@@ -114,9 +114,10 @@ void build(const Locomotion &locomotion, base::Span<const Point> points, const B
     if (previous) join_heading(settings.max_turn_rad_s, path);
     out.stand_count = make_gait(locomotion, settings, path);
     pack(path, out);
-    make_plants(locomotion, path, out);
+    make_plants(locomotion, settings, path, out);
     make_shoulders(settings, path, out);
     index_plants(out);
+    make_sinks(locomotion, path, out);
     make_ahead(path, out);
     if (previous) join_swings(*previous, out), join_upper(*previous, out);
     out.top_speed = top_speed_of(out);

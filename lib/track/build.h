@@ -41,6 +41,9 @@ struct BuildSettings {
     const Track *previous = nullptr;
     double end_s = std::numeric_limits<double>::infinity();
     base::Span<const Passing> passings = {};  // times ascend
+    // Of the host, in world units, as clq_height_function; null: the ground is not known.
+    double (*ground)(void *user, const double point[3]) = nullptr;
+    void *ground_user = nullptr;
 };
 
 // Throws base::Error (ARGUMENT: no points, times that do not ascend, numbers that are not finite; LIMIT) or
@@ -97,7 +100,13 @@ void find_stands(const BuildSettings &settings, FinePath &path);
 void make_heading(base::Span<const Point> points, const BuildSettings &settings, FinePath &path);
 // Returns how often the person began to stand up to the end of the track, with the pieces before.
 uint32_t make_gait(const Locomotion &locomotion, const BuildSettings &settings, FinePath &path);
-void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out);
+void make_plants(const Locomotion &locomotion, const BuildSettings &settings, const FinePath &path, Track &out);
+// What a leg wants the hips to sink by: `below_m` is how far its foot stands below the body's place, `flat_m` how far
+// from the hip over the ground, `reach_m` how far the straight leg reaches there.
+double sink_wanted(double leg_m, double reach_m, double flat_m, double below_m);
+constexpr double max_sink = 0.17;  // of a leg's length
+// After the plants and the samples.
+void make_sinks(const Locomotion &locomotion, const FinePath &path, Track &out);
 void make_shoulders(const BuildSettings &settings, const FinePath &path, Track &out);
 void make_ahead(const FinePath &path, Track &out);  // where people look at the end of a piece
 void pack(const FinePath &path, Track &out);

@@ -99,6 +99,9 @@ void index_plants(Track &track)
     for (int f = 0; f < 2; ++f)
         index_by_second(
             track.plants[f], track.length_s, [](const Plant &p) { return double(p.end_s); }, track.first_plants[f]);
+    for (const Array<Plant> &plants : track.plants)
+        for (const Plant &plant : plants) track.climbs = track.climbs || std::isfinite(plant.y);
+    for (const Swing &swing : track.swings) track.climbs = track.climbs || swing.y != 0;
     if (track.shoulders.empty()) return;
     const auto end = [](const ShoulderTurn &turn) { return double(turn.at_s) + double(turn.half_s); };
     index_by_second(track.shoulders, track.length_s, end, track.first_shoulders);
@@ -112,11 +115,21 @@ uint64_t hash_of(const Track &track)
     add(track.start_s), add(track.length_s), add(track.rate_hz), add(track.min_height_m), add(track.height_step_m);
     add(track.metres_per_unit), add(track.scale);
     h = base::fnv(h, track.samples.data(), track.samples.size() * sizeof(Sample));
-    for (const Array<Plant> &plants : track.plants) h = base::fnv(h, plants.data(), plants.size() * sizeof(Plant));
+    // Heights only where there are some: a track on level ground is what it was before there were heights.
+    for (const Array<Plant> &plants : track.plants)
+        for (const Plant &plant : plants) h = base::fnv(h, &plant, level_plant_bytes);
+    for (const Array<Plant> &plants : track.plants)
+        for (const Plant &plant : plants)
+            if (track.climbs) add(plant.y);
+    h = base::fnv(h, track.sinks.data(), track.sinks.size() * sizeof(uint16_t));
     h = base::fnv(h, track.shoulders.data(), track.shoulders.size() * sizeof(ShoulderTurn));
     h = base::fnv(h, track.ahead.data(), track.ahead.size() * sizeof(uint16_t));
     if (track.previous_hash == 0) return h;
-    add(track.previous_hash), add(track.swings), add(track.stand_count), add(track.upper_swing);
+    add(track.previous_hash);
+    for (const Swing &swing : track.swings) h = base::fnv(h, &swing, level_swing_bytes);
+    add(track.stand_count), add(track.upper_swing);
+    for (const Swing &swing : track.swings)
+        if (track.climbs) add(swing.y);
     return h;
 }
 

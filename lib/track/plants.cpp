@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "lib/track/footing.h"
 #include "lib/track/piece.h"
 
 namespace claque::track
@@ -38,6 +39,8 @@ struct Foot {
     Array<double> hip_x, hip_z, reach;  // GaitCell::reach in the world
     Array<double> node_x, node_z;       // of the foot, from its sole, in the space of the body
     Array<uint8_t> down;
+    const Footing *footing = nullptr;
+    double leg_m = 0;  // its length
 };
 
 Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m, int f)
@@ -88,20 +91,20 @@ double mean(const Array<double> &values, const Contact &contact)
     return values[contact.first] + sum / (contact.last - contact.first + 1);
 }
 
-struct Stance {
-    double x, z, heading_rad;
-};
-
 // Where a foot stands: the mean of its contact, or where the piece before has put it.
 Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact, const Plant *held)
 {
-    if (!held) return {mean(foot.x, contact), mean(foot.z, contact), mean(path.heading, contact)};
+    if (!held) {
+        Stance stance{mean(foot.x, contact), mean(foot.z, contact), mean(path.heading, contact)};
+        foot.footing->settle(stance, path.y[contact.first + (contact.last - contact.first) / 2]);
+        return stance;
+    }
     const double heading = path.heading[contact.first];
-    return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading)};
+    return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading), double(held->y)};
 }
 
 // How much of what its leg can do a foot needs at a sample to be at a place: the distance from where the clips have it,
-// the straight leg, and the turn against the body.
+// the straight leg, the turn against the body, and how far the hips would have to sink.
 double strain(const Foot &foot, const FinePath &path, const Stance &place, uint32_t i, double max_shift_m)
 {
     const double own = path.heading[i], turn = place.heading_rad - own;
@@ -117,8 +120,10 @@ double strain(const Foot &foot, const FinePath &path, const Stance &place, uint3
     // A clip may stretch a leg farther than that by itself.
     const double own_leg = std::hypot(foot.hip_x[i] - clip.x, foot.hip_z[i] - clip.y);
     const double allowed = std::max(leg_share * foot.reach[i], 1.02 * own_leg);
-    const double leg = std::hypot(foot.hip_x[i] - wanted.x, foot.hip_z[i] - wanted.y) / allowed;
-    return std::max({leg, shift, std::fabs(turn) / max_foot_turn_rad});
+    const double flat = std::hypot(foot.hip_x[i] - wanted.x, foot.hip_z[i] - wanted.y);
+    const double below = path.y[i] - place.y;
+    const double sink = below > 0 ? sink_wanted(foot.leg_m, foot.reach[i], flat, below) / (max_sink * foot.leg_m) : 0;
+    return std::max({flat / allowed, shift, std::fabs(turn) / max_foot_turn_rad, sink});
 }
 
 // Adds what is left of a contact where the leg can hold the foot. A foot that the body leaves too far behind is lifted
@@ -206,6 +211,7 @@ Plant plant_of(const Foot &foot, const FinePath &path, const Contact &contact, c
     plant.end_s = seconds(contact.last);
     plant.x = static_cast<float>(place.x), plant.z = static_cast<float>(place.z);
     plant.heading_rad = static_cast<float>(place.heading_rad);
+    plant.y = static_cast<float>(place.y);
     plant.begin_x = static_cast<float>(place.x - foot.x[contact.first]);
     plant.begin_z = static_cast<float>(place.z - foot.z[contact.first]);
     plant.end_x = static_cast<float>(place.x - foot.x[contact.last]);
@@ -217,10 +223,12 @@ Plant plant_of(const Foot &foot, const FinePath &path, const Contact &contact, c
 
 }  // namespace
 
-void make_plants(const Locomotion &locomotion, const FinePath &path, Track &out)
+void make_plants(const Locomotion &locomotion, const BuildSettings &settings, const FinePath &path, Track &out)
 {
     for (int f = 0; f < 2; ++f) {
         Foot foot = feet_of(locomotion, path, out.scale, f);
+        const Footing footing(settings, locomotion, out, f);
+        foot.footing = &footing, foot.leg_m = double(locomotion.leg_length) * out.scale;
         const CarriedFoot carried = path.previous ? carried_foot(*path.previous, f) : CarriedFoot();
         Begun begun;
         Array<Contact> contacts = path.previous ? contacts_after(carried, path, foot, begun) : contacts_of(foot.down);

@@ -54,6 +54,8 @@ void join_swings(const Track &previous, Track &out)
         const Correction shown = correction_at(previous, state, f, out.start_s);
         const Correction own = correction_at(out, state, f, out.start_s);
         out.swings[f].x = static_cast<float>(shown.x - own.x), out.swings[f].z = static_cast<float>(shown.z - own.z);
+        out.swings[f].y = static_cast<float>(shown.y - own.y);
+        out.climbs = out.climbs || out.swings[f].y != 0;
         out.swings[f].turn_rad = static_cast<float>(shown.turn_rad - own.turn_rad);
         out.swings[f].until_s = static_cast<float>(until_s);
     }

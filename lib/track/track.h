@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 
 #include <glm/vec3.hpp>
 
@@ -23,6 +24,7 @@ struct Sample {
 static_assert(sizeof(Sample) == 16, "a sample has 16 bytes");
 
 constexpr double place_step_m = 1.0 / 8192;
+constexpr double sink_step_m = 1.0 / 65536;
 constexpr double gait_unit = 127;
 constexpr double max_foot_turn_rad = 0.7;  // of a foot against its body
 constexpr double landing_s = 0.08;         // in which the ground takes hold of a foot and lets it go
@@ -40,18 +42,23 @@ struct Plant {
     float heading_rad = 0;  // of the body, while the foot is turned as its clip turns it
     // How far the clips' own foot is from there, when the foot comes down and when it is lifted.
     float begin_x = 0, begin_z = 0, end_x = 0, end_z = 0;
+    float y = NAN;  // of the ground; NaN: unknown, the foot stands at the height of the body's own place
 };
+constexpr size_t level_plant_bytes = offsetof(Plant, y);  // without the height
 
 // The way from where the clips have a foot to where it is shown, in the air.
 struct Correction {
     double x = 0, z = 0, turn_rad = 0;
+    double y = 0;
 };
 
 // Of a piece whose border cuts the swing of a foot: what the piece before showed besides, fading until it lands.
 struct Swing {
     float x = 0, z = 0, turn_rad = 0;
     float until_s = 0;
+    float y = 0;
 };
+constexpr size_t level_swing_bytes = offsetof(Swing, y);
 
 // The torso turns while another person passes closely: from at_s - half_s to at_s + half_s.
 struct ShoulderTurn {
@@ -70,6 +77,7 @@ struct Track {
           first_plants{Array<uint32_t>(memory), Array<uint32_t>(memory)},
           shoulders(memory),
           first_shoulders(memory),
+          sinks(memory),
           ahead(memory)
     {
     }
@@ -89,9 +97,11 @@ struct Track {
     // Of a piece (piece.h). Plants that began before it have negative times, and one may lie behind its end.
     uint64_t previous_hash = 0;  // 0: it continues none
     Swing swings[2];
+    bool climbs = false;              // feet stand at heights of their own; from plants and swings
     uint32_t stand_count = 0;         // times that the person stood, with the pieces before
     Array<ShoulderTurn> shoulders;    // by at_s; they do not overlap
     Array<uint32_t> first_shoulders;  // likewise; empty if there are none
+    Array<uint16_t> sinks;            // of the hips, by sample, in steps of sink_step_m; empty: they never sink
     // Of a piece: headings behind its end, on the grid of its samples, and what the piece before showed besides,
     // fading.
     Array<uint16_t> ahead;
@@ -136,6 +146,9 @@ Motion motion_at(const Track &track, double time_s) noexcept;
 // Where a foot has to be, in the model space of an actor in `state`.
 pose::FootTarget foot_at(const Track &track, const State &state, int foot, double time_s) noexcept;
 
+// How far the hips sink, metres.
+double sink_at(const Track &track, double time_s) noexcept;
+
 // Of a foot in the air.
 Correction correction_at(const Track &track, const State &state, int foot, double time_s) noexcept;
 // Where an actor in `state` looks, and how it holds its shoulders: the gaze goes where the heading will be half a
@@ -179,7 +192,7 @@ inline double end_of(const Track &track) { return track.start_s + track.length_s
 double top_speed_of(const Track &track);
 Box reach_of(const Track &track);
 
-// Computes first_plants and first_shoulders, and the hash of everything above it.
+// Computes first_plants and first_shoulders, whether the track climbs, and the hash of everything above it.
 void index_plants(Track &track);
 uint64_t hash_of(const Track &track);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/file_header.h"
+#include "lib/track/build.h"
 
 namespace claque::track
 {
@@ -14,6 +15,9 @@ namespace
 using base::fail;
 
 constexpr base::FileForm form = {{'c', 'l', 'a', 'q', 'u', 'e', 'W', 0x1a}, track_file_version, "a saved track"};
+constexpr base::FileForm climbing_form = {
+    {'c', 'l', 'a', 'q', 'u', 'e', 'W', 0x1a}, climbing_file_version, "a saved track"};
+constexpr double highest_m = 1e6;
 
 // One list of fields for writing and reading.
 template <class Archive, class T>
@@ -37,6 +41,36 @@ void walk(Archive &a, T &track)
     a.value(track.upper_swing.gaze_rad), a.value(track.upper_swing.torso_rad);
     a.array(track.ahead, 2, [&](auto &heading) { a.value(heading); });
     a.array(track.shoulders, 12, [&](auto &turn) { a.value(turn.at_s), a.value(turn.half_s), a.value(turn.turn_rad); });
+}
+
+template <class Archive, class T>
+void walk_heights(Archive &a, T &track)
+{
+    for (auto &plants : track.plants)
+        for (auto &plant : plants) a.value(plant.y);
+    for (auto &swing : track.swings) a.value(swing.y);
+    a.array(track.sinks, 2, [&](auto &sink) { a.value(sink); });
+}
+
+void check_heights(const Track &track)
+{
+    const auto bad = [](float y) { return std::isinf(y) || std::fabs(double(y)) > highest_m; };
+    for (const Array<Plant> &plants : track.plants)
+        for (const Plant &plant : plants)
+            if (bad(plant.y)) fail(CLQ_FORMAT, "a step of a saved track is at an impossible height");
+    if (!track.sinks.empty() && track.sinks.size() != track.samples.size())
+        fail(CLQ_FORMAT, "a saved track has %zu samples, but %zu of its hips", track.samples.size(),
+             track.sinks.size());
+    const double most = max_sink * double(track.locomotion->leg_length) * track.scale + sink_step_m;
+    for (const uint16_t sink : track.sinks)
+        if (sink * sink_step_m > most) fail(CLQ_FORMAT, "the hips of a saved track sink by %g m", sink * sink_step_m);
+    for (const Swing &swing : track.swings)
+        if (bad(swing.y) || std::isnan(swing.y)) fail(CLQ_FORMAT, "a step of a saved track is at an impossible height");
+}
+
+bool is_climbing(const uint8_t *bytes, size_t size)
+{
+    return size >= base::file_header_bytes && bytes[8] == climbing_file_version;
 }
 
 void check_plants(const Array<Plant> &plants, bool piece)
@@ -109,24 +143,29 @@ uint64_t hash_of(const Locomotion &locomotion)
 void save(const Track &track, Array<uint8_t> &out)
 {
     out.reserve(out.size() + track.bytes() + 256);
-    base::append_file(form, out, [&](auto &archive) {
+    base::append_file(track.climbs ? climbing_form : form, out, [&](auto &archive) {
         archive.value(hash_of(*track.locomotion));
         walk(archive, track);
+        if (track.climbs) walk_heights(archive, track);
     });
 }
 
 void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track &out)
 {
-    base::ArchiveReader<> in = base::open_file(form, bytes, size);
+    const bool climbs = is_climbing(bytes, size);
+    base::ArchiveReader<> in = base::open_file(climbs ? climbing_form : form, bytes, size);
     uint64_t made_for = 0;
     in.value(made_for);
     if (made_for != hash_of(locomotion))
         fail(CLQ_ARGUMENT, "the saved track was made for another locomotion: its template or its clips differ");
     out.locomotion = &locomotion;
     walk(in, out);
+    if (climbs) walk_heights(in, out);
     in.end();
     check(out, locomotion);
+    if (climbs) check_heights(out);
     index_plants(out);
+    out.climbs = climbs;
     out.top_speed = top_speed_of(out);
     out.reach = reach_of(out);
     out.hash = hash_of(out);

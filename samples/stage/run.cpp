@@ -94,6 +94,8 @@ void Run::make_stage(Library &library, const RunOptions &options)
     walking.smooth_s = 0.3f;  // in a crowd tracks are to stay beside each other
     walking.max_radius_m = static_cast<float>(described_.ground->body_radius_m);
     walking.time_gap_s = static_cast<float>(described_.ground->time_gap_s);
+    const Setting::Stone stone = setting_.stone();
+    walking.ground = stone.height, walking.ground_user = stone.user;
     std::vector<const clq_locomotion *> locomotions;
     for (const walkers::Member &member : people_.cast()) locomotions.push_back(member.locomotion.get());
     check(clq_stage_set_navigation(made, navigation_.get(), &walking, locomotions.data(),

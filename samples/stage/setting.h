@@ -39,6 +39,12 @@ public:
     virtual scenes::Daylight light() const = 0;
     // The height of the plane on which shadows fall; none: it is not level.
     virtual std::optional<double> shadows_at_m() const { return 0; }
+    // Where feet stand, if people walk on steps as on a ramp: clq_walkers_def.ground and ground_user.
+    struct Stone {
+        clq_height_function height = nullptr;
+        void *user = nullptr;
+    };
+    virtual Stone stone() const { return {}; }
     // Of the ground, at x and z.
     virtual double height_m(double, double) const { return 0; }
     // Says on what ground shadows fall, where it is no plane.

@@ -2,6 +2,7 @@
 #include <claque/navigation.h>
 
 #include "samples/scenes/odeon/floor.h"
+#include "samples/scenes/odeon/stair_stone.h"
 #include "samples/scenes/odeon/theatre_building.h"
 #include "samples/stage/setting.h"
 
@@ -19,7 +20,7 @@ uint32_t group_of(const scenes::Floor::Strip &strip) { return static_cast<uint32
 class TheatreSetting final : public Setting
 {
 public:
-    TheatreSetting(const Scenario &scenario, uint64_t seed) : building_(scenario, seed) {}
+    TheatreSetting(const Scenario &scenario, uint64_t seed) : building_(scenario, seed), stairs_(building_.theatre()) {}
 
     // What people walk on, and no seats.
     void add_floor(staged::Floor &out) const override
@@ -30,6 +31,14 @@ public:
         for (const uint32_t index : floor.triangles) out.triangles.push_back(first + index);
         for (const scenes::Floor::Strip &strip : floor.strips)
             out.byways.push_back({strip.outline, strip.low_m, strip.high_m, group_of(strip)});
+    }
+
+    Stone stone() const override
+    {
+        const auto height = [](void *user, const double point[3]) {
+            return static_cast<const StairStone *>(user)->height_m(point);
+        };
+        return {height, const_cast<StairStone *>(&stairs_)};
     }
 
     clq_camera camera(Shot shot, double aspect) const override
@@ -53,6 +62,7 @@ public:
 
 private:
     TheatreBuilding building_;
+    StairStone stairs_;
 };
 
 }  // namespace

@@ -64,6 +64,7 @@ clq_status make_piece(const TestWorld &world, clq_track **out)
     }
     clq_track_def def = clq_track_def_init();
     def.points = points, def.point_count = 40, def.previous = world.tracks[0], def.end_s = info.end_s + 1.5;
+    def.ground = [](void *, const double point[3]) { return point[1] - 0.05; };
     return clq_track_create(world.locomotion, &def, out);
 }
 

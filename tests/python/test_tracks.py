@@ -1,5 +1,7 @@
 """Tracks from arrays: people person walk, in the order and at the places that the arrays say."""
 
+import math
+
 import numpy
 import pytest
 
@@ -101,3 +103,25 @@ def test_arrays_of_other_shapes_are_refused(walk):
         claque.Track(walk, [0, 1], [[0, 0, 0], [numpy.nan, 0, 0]])
     with pytest.raises(claque.Error, match="ascending"):
         claque.Track(walk, [1, 1], [[0, 0, 0], [1, 0, 0]])
+
+
+def test_feet_stand_on_the_ground_that_a_function_gives(walk):
+    times = numpy.arange(0, 6, 0.1)
+    points = numpy.stack([0 * times, 0.5 * times, times], 1)
+    asked = []
+
+    def tread(x, y, z):
+        asked.append((x, y, z))
+        return 0.2 * math.floor(z / 0.4)
+
+    ramp, stairs = claque.Track(walk, times, points), claque.Track(walk, times, points, ground=tread)
+    assert stairs.info.hash != ramp.info.hash and stairs.info.plant_count > 4
+    assert all(abs(y - 0.5 * z) < 0.6 for _, y, z in asked), "at the height of the person"
+    nowhere = claque.Track(walk, times, points, ground=lambda x, y, z: math.nan)
+    assert nowhere.info.hash == ramp.info.hash
+
+    def broken(x, y, z):
+        raise KeyError("no stone")
+
+    with pytest.raises(KeyError, match="no stone"):
+        claque.Track(walk, times, points, ground=broken)

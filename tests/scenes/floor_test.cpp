@@ -11,6 +11,7 @@
 #include "samples/scenes/odeon/benches.h"
 #include "samples/scenes/odeon/cavea.h"
 #include "samples/scenes/odeon/seating.h"
+#include "samples/scenes/odeon/stair_stone.h"
 #include "samples/scenes/scenario/scenario.h"
 
 namespace
@@ -106,6 +107,34 @@ TEST(FloorOfTheOdeon, LiesOnTheStone)
             << at[0] << ", " << at[1] << ", " << at[2];
     }
     EXPECT_GT(on_stairs, 200u);
+}
+
+// What feet stand on, against the triangles that are drawn; not within a centimetre of the edges of treads.
+TEST(StairStone, IsTheStoneThatIsDrawn)
+{
+    const Theatre &theatre = place().theatre;
+    const StairStone stone(theatre);
+    size_t compared = 0;
+    for (const Gangway &gangway : theatre.gangways)
+        for (const Tread &tread : treads_of(theatre, gangway))
+            for (const double share : {0.03, 0.5, 0.97}) {
+                const double radius = tread.from_m + share * (tread.to_m - tread.from_m);
+                const double angle = gangway.at_deg * 3.14159265358979 / 180 + 0.2 / radius;
+                const double point[3] = {radius * std::sin(angle), tread.y + 0.1, -radius * std::cos(angle)};
+                const double y = stone.height_m(point);
+                EXPECT_NEAR(y, stone_y(point[0], point[2], tread.y + 0.15), 0.012)
+                    << radius << " m at " << gangway.at_deg;
+                ++compared;
+            }
+    EXPECT_GT(compared, 300u);
+}
+
+TEST(StairStone, IsKnownOnStairsAlone)
+{
+    const StairStone stone(place().theatre);
+    const double centre[3] = {0, 0, 0}, among_seats[3] = {3.5, 2, -9}, above[3] = {0, 40, -10}, below[3] = {0, -3, -10};
+    for (const double *point : {centre, among_seats, above, below})
+        EXPECT_TRUE(std::isnan(stone.height_m(point))) << point[0] << ", " << point[1] << ", " << point[2];
 }
 
 TEST(FloorOfTheOdeon, LeadsFromEachEntranceToThePlaceBeforeEachSeat)

@@ -1,6 +1,6 @@
 """The structs of claque/track.h."""
 
-from ctypes import POINTER, Structure, c_bool, c_double, c_float, c_uint32, c_uint64, c_void_p
+from ctypes import CFUNCTYPE, POINTER, Structure, c_bool, c_double, c_float, c_uint32, c_uint64, c_void_p
 
 from .abi import STRUCTS, Sized
 
@@ -34,10 +34,15 @@ class FoundPassing(Structure):
     _fields_ = [("track", c_uint32), ("passing", TrackPassing)]
 
 
+# Of a point of the world, three doubles.
+HeightFunction = CFUNCTYPE(c_double, c_void_p, POINTER(c_double))
+
+
 class TrackDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("point_count", c_uint32), ("points", c_void_p), ("smooth_s", c_float),
                 ("metres_per_unit", c_float), ("scale", c_float), ("seed", c_uint64), ("previous", c_void_p),
-                ("end_s", c_double), ("passing_count", c_uint32), ("passings", c_void_p)]
+                ("end_s", c_double), ("passing_count", c_uint32), ("passings", c_void_p), ("ground", HeightFunction),
+                ("ground_user", c_void_p)]
 
 
 class TrackInfo(Sized):

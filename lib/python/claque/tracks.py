@@ -1,5 +1,6 @@
 """People who walk where arrays say that they were (claque/track.h)."""
 
+import math
 from ctypes import POINTER, byref, c_double, c_size_t, c_uint32, cast
 
 import numpy
@@ -69,21 +70,36 @@ def find_passings(context, people, metres_per_unit=1.0):
     return [found["passing"][found["track"] == number] for number in range(len(made_ones))]
 
 
+def _height(ground, point, failed):
+    """The height of the ground at a point; an exception is kept for the caller, for it cannot pass through C."""
+    try:
+        return math.nan if failed else float(ground(point[0], point[1], point[2]))
+    except Exception as error:
+        failed.append(error)
+        return math.nan
+
+
 class Track(Owned):
     """The path of one actor.
 
     points: (n, 3), y up, in world units; headings: radians about y, NaN where unknown; previous: the piece that this
-    one continues; end_s: where it ends before the last point; passings: others that pass, from find_passings."""
+    one continues; end_s: where it ends before the last point; passings: others that pass, from find_passings; ground: a
+    function of x, y, z that gives the height of the ground there, or NaN, as clq_track_def.ground."""
 
     _destroy = "clq_track_destroy"
 
     def __init__(self, locomotion, times_s, points, headings=None, smooth_s=1.1, metres_per_unit=1.0, scale=1.0, seed=0,
-                 previous=None, end_s=1e300, passings=None):
+                 previous=None, end_s=1e300, passings=None, ground=None):
         passings = numpy.ascontiguousarray(numpy.zeros(0) if passings is None else passings, PASSING)
         definition, own = _definition(times_s, points, headings, smooth_s=smooth_s, metres_per_unit=metres_per_unit,
                                       scale=scale, seed=seed, previous=previous.handle if previous else None,
                                       end_s=end_s, passing_count=len(passings), passings=passings.ctypes.data)
+        failed = []
+        if ground:
+            definition.ground = abi_tracks.HeightFunction(lambda _, point: _height(ground, point, failed))
         super().__init__(made("clq_track_create", abi.call, locomotion.handle, byref(definition)), locomotion)
+        if failed:
+            raise failed[0]
         del own, passings  # claque has copied them
 
     @property

@@ -51,6 +51,26 @@ void require_size(const Struct &host, const char *init)
          CLQ_VERSION_MAJOR, CLQ_VERSION_MINOR, CLQ_VERSION_PATCH, init, sizeof(Struct));
 }
 
+// The sizes of a struct in earlier released headers, as in lib/api/struct_size.h.
+template <class Struct>
+struct EarlierSizes {
+    static constexpr uint32_t sizes[] = {0};
+};
+
+// Copies the host's struct: members that a shorter one lacks get defaults. NULL: all defaults.
+template <class Def>
+Def read_def(const Def *host, Def (*init)(), const char *init_name)
+{
+    Def def = init();
+    if (!host) return def;
+    bool is_known = false;
+    for (const uint32_t size : EarlierSizes<Def>::sizes) is_known = is_known || (size && host->struct_bytes == size);
+    if (!is_known) require_size(*host, init_name);
+    std::memcpy(&def, host, host->struct_bytes);
+    def.struct_bytes = static_cast<uint32_t>(sizeof def);
+    return def;
+}
+
 inline const char *name_of(const char *name) { return name ? name : ""; }
 
 }  // namespace claque::stage

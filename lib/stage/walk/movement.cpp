@@ -258,8 +258,7 @@ extern "C" clq_status clq_stage_set_navigation(clq_stage *stage, clq_navigation 
     return walk::boundary("clq_stage_set_navigation", [&] {
         walk::require(stage && navigation, "stage or navigation is NULL");
         walk::require(locomotions || locomotion_count == 0, "locomotions is NULL");
-        clq_walkers_def wanted = def ? *def : clq_walkers_def_init();
-        walk::require_size(wanted, "clq_walkers_def_init");
+        clq_walkers_def wanted = stage::read_def(def, clq_walkers_def_init, "clq_walkers_def_init");
         wanted.start_s = clq_stage_get_decided_s(stage);
         std::vector<const clq_locomotion *> all(locomotions, locomotions + locomotion_count);
         clq_stage_set_movement(stage, std::make_unique<walk::Walking>(*navigation, wanted, std::move(all)));

@@ -45,6 +45,7 @@ void Walkers::publish(uint32_t i)
     def.seed = body.seed;
     def.previous = body.piece.get();
     def.end_s = time_s();
+    def.ground = def_.ground, def.ground_user = def_.ground_user;
     clq_track *made = nullptr;
     const clq_status status = clq_track_create(body.locomotion, &def, &made);
     body.points.resize(known);

@@ -10,8 +10,7 @@ clq_status clq_walkers_create(clq_navigation *navigation, const clq_walkers_def 
 {
     return walk::boundary("clq_walkers_create", [&] {
         walk::require(navigation && out, "navigation or out is NULL");
-        const clq_walkers_def wanted = def ? *def : clq_walkers_def_init();
-        walk::require_size(wanted, "clq_walkers_def_init");
+        const clq_walkers_def wanted = stage::read_def(def, clq_walkers_def_init, "clq_walkers_def_init");
         *out = std::make_unique<clq_walkers>(*navigation, wanted).release();
     });
 }

@@ -7,7 +7,7 @@ namespace claque::test
 {
 
 Pieces::Pieces(const std::vector<track::Point> &points, const std::string &figure, const PieceRule &rule,
-               const See &see)
+               const See &see, const track::BuildSettings &common)
 {
     const double last_s = points.back().time_s;
     double begin_s = points.front().time_s;
@@ -21,7 +21,7 @@ Pieces::Pieces(const std::vector<track::Point> &points, const std::string &figur
                 seen.push_back(point);
         if (seen.front().time_s > begin_s) seen.insert(seen.begin(), points.front());
         if (see) see(seen, end_s);
-        track::BuildSettings settings;
+        track::BuildSettings settings = common;
         settings.previous = all.empty() ? nullptr : all.back().get();
         settings.end_s = end_s;
         all.push_back(track_of(seen, figure, settings));

@@ -19,7 +19,7 @@ public:
     // Points that a piece sees; `seen` may change them before they are used.
     using See = std::function<void(std::vector<track::Point> &, double end_s)>;
     explicit Pieces(const std::vector<track::Point> &points, const std::string &figure = "citizen",
-                    const PieceRule &rule = {}, const See &see = nullptr);
+                    const PieceRule &rule = {}, const See &see = nullptr, const track::BuildSettings &common = {});
 
     const track::Track &at(double time_s) const;
     double start_s() const { return all.front()->start_s; }

@@ -2,7 +2,9 @@
 #include <claque/assets.h>
 #include <claque/view.h>
 
+#include <cstddef>
 #include <map>
+#include <stdexcept>
 
 #include "tests/unit/walk/floors.h"
 
@@ -172,4 +174,50 @@ TEST_F(Published, PiecesAreShownByACrowdWhileTheyAreMade)
     }
     clq_view_destroy(view);
     clq_crowd_destroy(crowd);
+}
+
+TEST_F(Published, PiecesComeLateWhereTheGroundThrows)
+{
+    int broken = 0;
+    clq_walkers_def def = clq_walkers_def_init();
+    def.ground_user = &broken;
+    def.ground = [](void *user, const double[3]) {
+        if (*static_cast<int *>(user) > 0) throw std::runtime_error("no stone");
+        return 0.0;
+    };
+    const Held held(floors::two_rooms(false), &def), sound(floors::two_rooms(false), &def);
+    people(held, 4), people(sound, 4);
+    size_t here = 0, there = 0, refused = 0;
+    for (int tick = 0; tick < 60; ++tick) {
+        sound.step();
+        there += pieces(sound).size();
+        broken = tick % 20 == 12;
+        const clq_status status = clq_walkers_step(held.walkers);
+        broken = 0;
+        if (status == CLQ_OK) {
+            here += pieces(held).size();
+            continue;
+        }
+        ++refused;
+        EXPECT_EQ(status, CLQ_CALLBACK);
+        EXPECT_NE(std::string(clq_last_error()).find("threw an exception: no stone"), std::string::npos)
+            << clq_last_error();
+    }
+    EXPECT_GT(refused, 0u);
+    EXPECT_EQ(here, there);
+    EXPECT_EQ(held.hash(), sound.hash());
+}
+
+// Hosts that were compiled with the first headers pass a shorter struct.
+TEST_F(Published, PiecesOfHostsOfEarlierHeadersKnowNoGround)
+{
+    clq_walkers_def def = clq_walkers_def_init();
+    def.struct_bytes = offsetof(clq_walkers_def, ground);
+    def.ground = [](void *, const double[3]) -> double { throw std::runtime_error("it is not read"); };
+    const Held held(floors::two_rooms(false), &def);
+    people(held, 2);
+    held.step(30);
+    clq_walkers *made = nullptr;
+    def.struct_bytes -= 4;
+    EXPECT_EQ(clq_walkers_create(held.navigation, &def, &made), CLQ_STRUCT_SIZE);
 }
