@@ -17,6 +17,9 @@ const char *__lsan_default_suppressions()
     return "leak:libOSMesa\nleak:libEGL\nleak:swrast_dri\nleak:libgallium\nleak:libGLX_mesa\n"
            "leak:libfontconfig\n";
 }
+// What a program says is its own: no list of what was suppressed.
+extern "C" __attribute__((visibility("default"))) const char *__lsan_default_options();
+const char *__lsan_default_options() { return "print_suppressions=0"; }
 #endif
 
 namespace contexts
