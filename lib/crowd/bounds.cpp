@@ -1,6 +1,7 @@
 // A coarse bound of where an actor can be, for the first test of a large crowd (lib/frame/bounds.cpp).
-#include <algorithm>
 #include <cmath>
+
+#include <glm/common.hpp>
 
 #include "lib/crowd/rows.h"
 

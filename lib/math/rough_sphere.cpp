@@ -1,5 +1,6 @@
 #include "lib/math/rough_sphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace claque::math
@@ -33,7 +34,7 @@ RoughSphere rough_sphere_of(const glm::dvec3 &centre, double radius)
 RoughFrustum::RoughFrustum(const Frustum &frustum, const glm::dvec3 &eye, const glm::dvec3 &sweep)
 {
     float values[4][8] = {};
-    for (float &offset : values[3]) offset = std::numeric_limits<float>::infinity();
+    std::fill_n(values[3], 8, std::numeric_limits<float>::infinity());
     for (int i = 0; i < frustum.count; ++i) {
         const Plane &plane = frustum.planes[i];
         const double size = std::fabs(plane.offset) + sum_of(eye) + sum_of(sweep);

@@ -2,6 +2,8 @@
 // neighbours stand, nothing moves.
 #include <cmath>
 
+#include <glm/common.hpp>
+
 #include "lib/math/trig.h"
 #include "lib/track/track.h"
 

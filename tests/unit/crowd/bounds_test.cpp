@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "lib/crowd/edits.h"
@@ -81,7 +82,7 @@ protected:
             case 2:
                 return follow(id);
             case 3:
-                return crowd::follow_ground(crowd_, id, below(3), below(3));
+                return crowd::follow_ground(crowd_, id, float(below(3)), float(below(3)));
             case 4:
                 return void(crowd::attach(crowd_, id, 2, {glm::vec3(0.5f, 0, 0), static_cast<float>(between(0, 3))}));
             case 5:
@@ -132,8 +133,9 @@ TEST_F(BoundsTest, HoldAfterAnyEditAndAreTightForActorsThatStandAlone)
         Id &id = ids[below(ids.size())];
         if (below(30) == 0) {
             crowd::destroy(crowd_, id);
-            id = crowd::clone(crowd_, ids[(below(ids.size() - 1) + 1 + (&id - ids.data())) % ids.size()], nullptr,
-                              round);
+            id = crowd::clone(crowd_,
+                              ids[(below(ids.size() - 1) + 1 + static_cast<size_t>(&id - ids.data())) % ids.size()],
+                              nullptr, round);
         } else if (below(200) == 0) {
             Id &group = groups_[below(groups_.size())];
             crowd::destroy_group(crowd_, group);
