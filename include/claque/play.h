@@ -188,9 +188,9 @@ CLQ_API clq_status clq_actor_get_active_clips(const clq_crowd *crowd, clq_actor 
                                               clq_active_clip out[CLQ_ACTIVE_CLIP_MAX], uint32_t *out_count);
 
 typedef enum clq_event_kind {
-    CLQ_EVENT_MARKER = 0,   /* a clip passes one of its markers */
-    CLQ_EVENT_CLIP_END = 1, /* a loop of a clip ends and the next one begins */
-    CLQ_EVENT_FADE_END = 2, /* a fade ends */
+    CLQ_EVENT_MARKER = 0,    /* a clip passes one of its markers */
+    CLQ_EVENT_CLIP_END = 1,  /* a loop of a clip ends and the next one begins */
+    CLQ_EVENT_FADE_END = 2,  /* a fade ends */
     CLQ_EVENT_LAYER_END = 3, /* a layer ends */
     CLQ_EVENT_STEP = 4,      /* an actor that walks on a track (claque/track.h) puts a foot down */
     CLQ_EVENT_STAND = 5      /* such an actor begins to stand */
