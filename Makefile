@@ -5,7 +5,7 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci test-asan test-tsan test-scalar test-mutants fuzz faults soak \
+.PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-mutants fuzz faults soak \
     bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 test-arm64 test-mingw \
     test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
 
@@ -14,7 +14,7 @@ help:
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
-	@echo "make ci         make test, readers, C API and corpora under sanitizers, fuzzers, ten mutants (.ci/run)"
+	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: fuzzers and ten mutants too)"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
@@ -75,9 +75,13 @@ video: command
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
 
-# The plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary.
+# The plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary; ci-all also
+# runs each fuzzer for 20 s and tries ten mutants.
 ci: build
 	@cmake/ci.sh $(BUILD) $(JOBS)
+
+ci-all: build
+	@cmake/ci.sh $(BUILD) $(JOBS) all
 
 test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*

@@ -1,11 +1,12 @@
 #!/bin/sh
-# ci.sh BUILD JOBS: builds the benchmarks, tries three quick implementations of OpenGL (tests/drivers), runs every test
-# of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan, runs each fuzzer for 20 s where
-# clang can be had (tests/fuzz), tries ten mutants (tests/mutants), and ends with one summary in CTest's words of both
-# runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
+# ci.sh BUILD JOBS [all]: builds the benchmarks, tries three quick implementations of OpenGL (tests/drivers), runs every
+# test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan. With `all` it also runs each
+# fuzzer for 20 s where clang can be had (tests/fuzz) and tries ten mutants (tests/mutants). It ends with one summary in
+# CTest's words of both runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
 set -eu
 build=$1
 jobs=$2
+extent=${3:-tests}
 mkdir -p out
 failed=''
 began=$(date +%s)
@@ -58,12 +59,12 @@ if sanitizers_run; then
     ctest --test-dir build/asan -j "$jobs" -L '^bytes$' --no-tests=error --output-on-failure \
         --output-log out/ci-sanitizers.log || failed="$failed sanitizers"
 fi
-if in_time fuzzers; then
+if [ "$extent" = all ] && in_time fuzzers; then
     cmake/setup.sh fuzz >out/ci-clang.log 2>&1 || true  # without root they may have to be skipped, and say so
     quietly out/ci-fuzz.log env JOBS="$jobs" tests/fuzz/run.py --seed 1 20
     tail -n 20 out/ci-fuzz.log
 fi
-if in_time mutants; then
+if [ "$extent" = all ] && in_time mutants; then
     quietly out/ci-mutants.log tests/mutants/run.py --some 10 --jobs "$jobs"
     tail -n 12 out/ci-mutants.log
 fi
