@@ -69,10 +69,12 @@ private:
         uint32_t width, height;
         std::vector<uint8_t> rgba;
     };
+    // Texture coordinates of a file may be any finite number; beyond this, doubles have no fractions left.
+    static int64_t whole(double value) { return std::fabs(value) < 4e15 ? static_cast<int64_t>(value) : 0; }
     glm::dvec3 texel(const Image &image, double x, double y) const
     {
-        const size_t s = size_t(wrapped(static_cast<int64_t>(x), image.width, wrap_s_));
-        const size_t t = size_t(wrapped(static_cast<int64_t>(y), image.height, wrap_t_));
+        const size_t s = size_t(wrapped(whole(x), image.width, wrap_s_));
+        const size_t t = size_t(wrapped(whole(y), image.height, wrap_t_));
         const uint8_t *at = &image.rgba[4 * (t * image.width + s)];
         return {at[0], at[1], at[2]};
     }

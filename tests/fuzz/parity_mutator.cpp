@@ -51,6 +51,6 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t *bytes, size_t size, size_t ma
     }
     const Bytes out = packed(files);
     if (out.size() > max_size) return LLVMFuzzerMutate(bytes, size, max_size);
-    std::memcpy(bytes, out.data(), out.size());
+    if (!out.empty()) std::memcpy(bytes, out.data(), out.size());
     return out.size();
 }
