@@ -22,7 +22,8 @@ struct alignas(16) Head {
 void *arena_allocate(size_t size)
 {
     if (size > arena.left) return nullptr;
-    Head *head = static_cast<Head *>(std::malloc(sizeof(Head) + size));
+    // Zeros: a damaged JPEG leaves coefficients unwritten that stb_image reads.
+    Head *head = static_cast<Head *>(std::calloc(1, sizeof(Head) + size));
     if (!head) {
         arena.heap_refused = true;
         return nullptr;

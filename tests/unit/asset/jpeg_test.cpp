@@ -1,5 +1,8 @@
-// JPEG pictures whose tables say more than the decoder has room for.
+// Damaged JPEG pictures: tables that say more than the decoder has room for, scans that leave coefficients out.
+#include <fstream>
 #include <functional>
+#include <iterator>
+#include <malloc.h>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +64,22 @@ TEST(Jpeg, ATableWithMoreCodesThanItsDecoderHoldsIsRefused)
     comment.insert(comment.end(), table.begin(), table.end());
     comment.resize(4 + 0x200 - 2);
     EXPECT_FALSE(has_many(refusal_of(comment))) << "a comment may hold anything";
+}
+
+TEST(JpegScans, ThatLeaveCoefficientsOutShowTheSameWhateverMemoryHeld)
+{
+    std::ifstream file(CLAQUE_SOURCE_DIR "/tests/fuzz/corpus/image/found-scan-without-coefficients", std::ios::binary);
+    const Bytes bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    ASSERT_GT(bytes.size(), 100u);
+    const auto pixels_after = [&](int fill) {
+        mallopt(M_PERTURB, fill);  // new blocks hold this byte's complement
+        const model::Image image = asset::decode_image(bytes.data(), bytes.size(), "face", asset::ImageLimits());
+        mallopt(M_PERTURB, 0);
+        return image.rgba;
+    };
+    const auto once = pixels_after(0x35);
+    EXPECT_FALSE(once.empty());
+    EXPECT_TRUE(once == pixels_after(0xc2));
 }
 
 }  // namespace
