@@ -79,6 +79,13 @@ float *Caches::take(const Entry &wanted, Block kind)
 
 std::pmr::vector<Request> &Caches::begin(bool can_undo)
 {
+    begin_over(can_undo);
+    requests_.clear();
+    return requests_;
+}
+
+void Caches::begin_over(bool can_undo)
+{
     ++frame_number_;
     listed_from_ = can_undo ? last_listed_ : ~uint64_t(0);
     if (can_undo) requests_.swap(requests_before_);
@@ -88,8 +95,6 @@ std::pmr::vector<Request> &Caches::begin(bool can_undo)
     next.evicted = counters_.evicted;
     counters_ = next;
     arena_.reset();
-    requests_.clear();
-    return requests_;
 }
 
 void Caches::undo()
@@ -118,34 +123,69 @@ void Caches::allocate_poses()
     }
     key_poses_.choose(requests_);
     without_room_ = 0;
+    animate_.clear();
     // Palettes first: they are small and save more work per byte. Vertices are cached only beside a palette.
-    for (Request &request : requests_) {
+    for (uint32_t i = 0; i < requests_.size(); ++i) {
+        Request &request = requests_[i];
         request.palette = nullptr;
         if (!request.tmpl || !request.needs_palette()) continue;
         Entry &entry = entries_[request.slot];
         const bool replaced = entry.tmpl != request.tmpl;
         if (!entry.palette && !replaced && settings_.mode != Mode::none) entry.palette = take(entry, &Entry::palette);
         request.palette = replaced ? nullptr : entry.palette;
+        note_pose(i, entry);
         if (request.palette) continue;
         request.palette = arena_.take(block_bytes(*request.tmpl, &Entry::palette));
         ++without_room_;
     }
 }
 
+// Whether the pose must be evaluated. What has no room in a cache is listed by animate().
+void Caches::note_pose(uint32_t i, const Entry &entry)
+{
+    if (!is_due(requests_[i])) {
+        ++counters_.palette_served;
+        return;
+    }
+    ++counters_.due;
+    if (entry.palette && requests_[i].palette == entry.palette) animate_.push_back(i);
+}
+
 void Caches::allocate_vertices()
 {
-    for (Request &request : requests_) {
+    skin_.clear();
+    for (uint32_t i = 0; i < requests_.size(); ++i) {
+        Request &request = requests_[i];
         if (!request.tmpl) continue;
         Entry &entry = entries_[request.slot];
         const bool keeps = settings_.mode == Mode::full && (entry.palette || !request.needs_palette());
         // of a key-pose shown before: without a palette they cannot be renewed
         if (!keeps) release(entry, &Entry::vertices);
         request.vertices = nullptr;
-        if (!needs_vertices(request)) continue;
+        if (!needs_vertices(request)) {
+            counters_.left_out += request.drawn && request.needs_palette() && !request.palette;
+            continue;
+        }
         if (keeps && !entry.vertices) entry.vertices = take(entry, &Entry::vertices);
         const model::Level &level = request.tmpl->levels[request.level];
         request.vertices = entry.vertices ? entry.vertices
                                           : arena_.take(sizeof(float) * vertex_floats(level, settings_.vertex_format));
+        note_vertices(i, entry);
+    }
+}
+
+// Whether the vertices must be made.
+void Caches::note_vertices(uint32_t i, const Entry &entry)
+{
+    const Request &request = requests_[i];
+    if (!request.vertices) {
+        ++counters_.left_out;
+    } else if (request.vertices == entry.vertices && entry.vertices_key == request.pose &&
+               entry.vertices_level == request.level) {
+        ++counters_.vertices_served;
+    } else {
+        counters_.on_demand += settings_.mode == Mode::full && request.vertices != entry.vertices;
+        skin_.push_back(i);
     }
 }
 

@@ -74,42 +74,6 @@ bool Caches::is_due(const Request &request) const
     return settings_.mode == Mode::none || !entry.palette || !(entry.palette_key == request.pose);
 }
 
-void Caches::find_due_poses()
-{
-    animate_.clear();
-    for (uint32_t i = 0; i < requests_.size(); ++i) {
-        if (!requests_[i].tmpl || !requests_[i].needs_palette()) continue;
-        if (!is_due(requests_[i])) {
-            ++counters_.palette_served;
-            continue;
-        }
-        ++counters_.due;
-        const float *kept = entries_[requests_[i].slot].palette;
-        if (kept && requests_[i].palette == kept) animate_.push_back(i);
-    }
-}
-
-void Caches::find_due_vertices()
-{
-    skin_.clear();
-    for (uint32_t i = 0; i < requests_.size(); ++i) {
-        const Request &request = requests_[i];
-        if (!request.tmpl) continue;
-        const Entry &entry = entries_[request.slot];
-        if (!needs_vertices(request)) {
-            counters_.left_out += request.drawn && request.needs_palette() && !request.palette;
-        } else if (!request.vertices) {
-            ++counters_.left_out;
-        } else if (request.vertices == entry.vertices && entry.vertices_key == request.pose &&
-                   entry.vertices_level == request.level) {
-            ++counters_.vertices_served;
-        } else {
-            counters_.on_demand += settings_.mode == Mode::full && request.vertices != entry.vertices;
-            skin_.push_back(i);
-        }
-    }
-}
-
 // GL's matrix stack moves rigid parts; vertices need a palette.
 bool Caches::needs_vertices(const Request &request) const
 {

@@ -52,11 +52,13 @@ public:
     // An update calls these in this order. begin() returns an array to be filled with one request per candidate, within
     // its capacity.
     std::pmr::vector<Request> &begin(bool can_undo = false);
+    // The same, but pending() keeps the requests of an earlier update: the caller overwrites all of them.
+    void begin_over(bool can_undo);
     // Before animate(): puts back the requests of the last update. Until animate() begins, an update that can be undone
     // overwrites and frees nothing that the last one listed.
     void undo();
-    void allocate_poses();  // finds memory, evicting the individuals unseen for longest
-    void find_due_poses();
+    // Finds memory for palettes, evicting the individuals unseen for longest, and lists those that are due.
+    void allocate_poses();
     // Defers all but `pose_budget.budget` of the due poses whose earlier pose can still be shown (budget.cpp). The
     // deferred requests then name the cached pose.
     struct PoseBudget {
@@ -66,11 +68,10 @@ public:
     };
     void defer(const PoseBudget &pose_budget);
     void animate(const base::Jobs &jobs);
-    void allocate_vertices();  // only for requests that are drawn
-    void find_due_vertices();
+    void allocate_vertices();  // the same for vertices, of requests that are drawn
     void skin(const base::Jobs &jobs);
 
-    // Between find_due_poses() and animate(): whether a request's pose must be evaluated.
+    // Between allocate_poses() and animate(): whether a request's pose must be evaluated.
     bool is_due(const Request &request) const;
     std::pmr::vector<Request> &pending() { return requests_; }
 
@@ -130,6 +131,8 @@ private:
     void commit();
     bool is_listed(const Entry &entry) const { return entry.last_seen >= listed_from_; }
     void keep_pose(Entry &entry, const Request &request);
+    void note_pose(uint32_t i, const Entry &entry);
+    void note_vertices(uint32_t i, const Entry &entry);
     void skin(const Request &request, const Scratch &scratch);
     float *take(const Entry &wanted, Block kind);  // null: no room
     bool evict_one(uint64_t updates);

@@ -33,6 +33,15 @@ struct Given {
             for (uint32_t i = k * slice; i < last; ++i) body(i);
         });
     }
+
+    // The same in a fixed number of parts, for loops that add something up: calls body(part, first, last).
+    static constexpr uint32_t part_count = 64;
+    template <class Body>
+    void for_parts(uint32_t n, const Body &body) const
+    {
+        const auto begin_of = [n](uint32_t part) { return static_cast<uint32_t>(uint64_t(n) * part / part_count); };
+        jobs.for_each(part_count, [&](uint32_t part) { body(part, begin_of(part), begin_of(part + 1)); });
+    }
 };
 
 // Results of the last update for one row of the crowd.

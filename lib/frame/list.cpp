@@ -44,20 +44,16 @@ draw::Item ListView::item_of(const SortEntry &entry) const
 namespace
 {
 
-// Within the capacity that reserve() made, so copied elements do not move.
-void keep_colours(View &view)
+size_t colour_bytes(const draw::Item &item) { return item.zone_rgb ? 3 * size_t(item.tmpl->zone_count()) : 0; }
+
+// Within the capacity that reserve() made.
+void make_room_for_colours(View &view, size_t bytes)
 {
     if (view.grown.capacity() > view.colours.capacity()) {
         view.colours.swap(view.grown);
         model::Array<uint8_t>(view.grown.get_allocator()).swap(view.grown);
     }
-    view.colours.clear();
-    for (draw::Item &item : view.list.items) {
-        if (!item.zone_rgb) continue;
-        const size_t first = view.colours.size();
-        view.colours.insert(view.colours.end(), item.zone_rgb, item.zone_rgb + 3 * size_t(item.tmpl->zone_count()));
-        item.zone_rgb = view.colours.data() + first;
-    }
+    view.colours.resize(bytes);
 }
 
 int32_t call_before(void *user, uint32_t index1, uint32_t generation)
@@ -121,10 +117,35 @@ void ListView::run() const
     for (int k = 0; k < 9; ++k) view.list.world_to_eye[k] = eye.world_to_eye[k / 3][k % 3];
     view.list.distance_scale = static_cast<float>(eye.distance_scale);
     view.list.min_distance_m = static_cast<float>(eye.min_distance * double(given.settings.caches.metres_per_unit));
-    given.for_slices(static_cast<uint32_t>(listed.size()),
-                     [&](uint32_t i) { view.list.items[i] = item_of(listed[i]); });
-    keep_colours(view);
+    write_items();
     keep_hooks(crowd, view);
+}
+
+// The items, and copies of their colours one after the other.
+void ListView::write_items() const
+{
+    const uint32_t count = static_cast<uint32_t>(listed.size());
+    draw::Item *items = view.list.items.data();
+    size_t offsets[Given::part_count + 1] = {0};
+    given.for_parts(count, [&](uint32_t part, uint32_t first, uint32_t last) {
+        size_t bytes = 0;
+        for (uint32_t i = first; i < last; ++i) {
+            items[i] = item_of(listed[i]);
+            bytes += colour_bytes(items[i]);
+        }
+        offsets[part + 1] = bytes;
+    });
+    for (uint32_t part = 0; part < Given::part_count; ++part) offsets[part + 1] += offsets[part];
+    make_room_for_colours(view, offsets[Given::part_count]);
+    given.for_parts(count, [&](uint32_t part, uint32_t first, uint32_t last) {
+        uint8_t *to = view.colours.data() + offsets[part];
+        for (uint32_t i = first; i < last; ++i) {
+            if (!items[i].zone_rgb) continue;
+            uint8_t *end = std::copy_n(items[i].zone_rgb, colour_bytes(items[i]), to);
+            items[i].zone_rgb = to;
+            to = end;
+        }
+    });
 }
 
 }  // namespace claque::frame

@@ -17,13 +17,15 @@ constexpr uint32_t digit_bits = 11, digits = 3;  // of 32 bits, the lowest first
 template <class Number>
 void radix_sort_by(Number number, std::pmr::vector<SortEntry> &listed, std::pmr::vector<SortEntry> &spare)
 {
+    uint32_t differing = 0;  // bits
+    for (const SortEntry &one : listed) differing |= number(one) ^ number(listed[0]);
     for (uint32_t digit = 0; digit < digits; ++digit) {
+        if ((differing >> (digit * digit_bits) & ((1u << digit_bits) - 1)) == 0) continue;
         const auto digit_of = [&](const SortEntry &one) {
             return number(one) >> (digit * digit_bits) & ((1u << digit_bits) - 1);
         };
         std::array<uint32_t, 1u << digit_bits> offsets{};
         for (const SortEntry &one : listed) ++offsets[digit_of(one)];
-        if (offsets[digit_of(listed[0])] == listed.size()) continue;
         uint32_t before = 0;
         for (uint32_t &offset : offsets) before += std::exchange(offset, before);
         for (const SortEntry &one : listed) spare[offsets[digit_of(one)]++] = one;

@@ -1,6 +1,7 @@
 // S0 4.2, phase 3: where the Sklsroot Bsphere crosses a frustum's edge, the Internal Bspheres of the pose show which
 // parts are inside. An individual without visible parts is not drawn. Traditional mode tests all individuals here, and
 // only here.
+#include <algorithm>
 #include <cmath>
 
 #include "lib/frame/spheres.h"
@@ -30,7 +31,8 @@ struct CullParts::Tested {
     const math::Affine *palette = nullptr;  // of the present candidate; null until it is needed
     uint64_t spheres_built = 0, sphere_tests = 0, products_tracked = 0;
     uint64_t products_invisible = 0;  // of these, for individuals found invisible
-    uint32_t crossing = 0;
+    uint64_t nodes = 0, nodes_drawn = 0, nodes_drawn_on_cpu = 0;
+    uint32_t crossing = 0, first = 0, drawn = 0;
 };
 
 // Whether the view sees any part of the individual, and which.
@@ -94,39 +96,42 @@ base::Status CullParts::check() const
     return base::Status::good();
 }
 
+// Lists the candidate if it is drawn.
+void CullParts::note(uint32_t i, Tested &tested) const
+{
+    const animcache::Request &request = caches.requests()[i];
+    if (!request.tmpl) return;
+    const uint64_t nodes = nodes_of(*request.tmpl, request.tmpl->levels[request.level]);
+    tested.nodes += nodes;
+    if (!request.drawn) {
+        rows[request.slot].visibility.visible = false;
+        return;
+    }
+    visible[tested.first + tested.drawn++] = i;
+    tested.nodes_drawn += nodes;
+    if (request.rigid_mode == animcache::RigidMode::vertices) tested.nodes_drawn_on_cpu += nodes;
+}
+
 uint32_t CullParts::run() const
 {
-    constexpr uint32_t slices = animcache::Caches::slice_count;
-    Tested tested[slices];
-    const base::Span<const animcache::Request> requests = caches.requests();
-    given.jobs.for_each(slices, [&](uint32_t s) {
-        const uint32_t first = static_cast<uint32_t>(uint64_t(requests.count) * s / slices);
-        const uint32_t last = static_cast<uint32_t>(uint64_t(requests.count) * (s + 1) / slices);
-        tested[s].slice = s;
-        for (uint32_t i = first; i < last; ++i) test(i, tested[s]);
+    static_assert(Given::part_count == animcache::Caches::slice_count, "a part has the scratch of a slice");
+    Tested tested[Given::part_count];
+    given.for_parts(candidates.count, [&](uint32_t part, uint32_t first, uint32_t last) {
+        tested[part].slice = part, tested[part].first = first;
+        for (uint32_t i = first; i < last; ++i) test(i, tested[part]), note(i, tested[part]);
     });
     stats.crossing = 0;
     stats.spheres_built = 0, stats.matrices_needed = stats.products = stats.products_tracked = 0;
+    uint32_t count = 0;
     for (const Tested &t : tested) {
         stats.spheres_built += t.spheres_built;
         stats.sphere_tests += t.sphere_tests;
         stats.crossing += t.crossing;
-        stats.products_tracked += t.products_tracked;
-        stats.products += t.products_invisible;
-    }
-    uint32_t count = 0;
-    for (uint32_t i = 0; i < requests.count; ++i) {
-        const animcache::Request &request = requests[i];
-        if (!request.tmpl) continue;
-        const uint64_t nodes = nodes_of(*request.tmpl, request.tmpl->levels[request.level]);
-        stats.matrices_needed += nodes;
-        if (!request.drawn) {
-            rows[request.slot].visibility.visible = false;
-            continue;
-        }
-        visible[count++] = i;
-        stats.products += nodes;
-        if (request.rigid_mode == animcache::RigidMode::vertices) stats.products_tracked += nodes;
+        stats.matrices_needed += t.nodes;
+        stats.products_tracked += t.products_tracked + t.nodes_drawn_on_cpu;
+        stats.products += t.products_invisible + t.nodes_drawn;
+        std::copy(visible.data + t.first, visible.data + t.first + t.drawn, visible.data + count);
+        count += t.drawn;
     }
     return count;
 }

@@ -22,19 +22,20 @@ bool MakeRequests::keep_pose(animcache::Request &request) const
     return true;
 }
 
-void MakeRequests::choose_clips(animcache::Request &request, uint64_t levels) const
+void MakeRequests::choose_clip(animcache::Request &request) const
+{
+    const crowd::Play &play = given.crowd.play_of(request.row);
+    request.pose.clip = play.clip;
+    if (play.clip == model::none) return;
+    request.pose.clip_time_s =
+        pose::clip_time({play.start_s, play.speed, play.phase_s}, request.tmpl->rig.clips[play.clip], request.shown_s);
+}
+
+void MakeRequests::choose_layers(animcache::Request &request, uint64_t levels) const
 {
     const crowd::Crowd &crowd = given.crowd;
     const uint32_t row = request.row;
     const crowd::Follow *follow = crowd.follows().of(row);
-    if (!crowd.behaviours().has_mechanisms(row) && !crowd.layers().of(row) && !follow) {
-        const crowd::Play &play = crowd.play_of(row);
-        request.pose.clip = play.clip;
-        if (play.clip != model::none)
-            request.pose.clip_time_s = pose::clip_time({play.start_s, play.speed, play.phase_s},
-                                                       request.tmpl->rig.clips[play.clip], request.shown_s);
-        return;
-    }
     behave::ActiveClips shown;
     behave::active_clips_at(crowd, row, request.shown_s, levels, shown);
     request.pose.clip = shown.clip;
@@ -67,16 +68,16 @@ void MakeRequests::share_key_poses(animcache::Request &request) const
     if (!request.pose.interpolated) request.pose.clip_time_s = request.key_pose.time_s[0];
 }
 
-void MakeRequests::add(const Candidate &candidate) const
+// Makes the request of an individual that shows one clip, or a pose that is kept. False: its layers must still be
+// chosen.
+bool MakeRequests::make(const Candidate &candidate, animcache::Request &request) const
 {
     const crowd::Crowd &crowd = given.crowd;
     const uint32_t row = candidate.row;
     const Row &found = rows[candidate.slot];
-    const bool behaves = crowd.behaviours().has_mechanisms(row);
-    requests.emplace_back();
-    if (!found.visibility.visible) return;
-    ++stats.passed_sklsroot;
-    animcache::Request &request = requests.back();
+    const bool behaves = crowd.behaviours().has_mechanisms(row), follows = crowd.follows().of(row);
+    request = animcache::Request();
+    if (!found.visibility.visible) return true;
     request.tmpl = &crowd.template_of(row);
     request.row = row;
     request.slot = candidate.slot;
@@ -92,15 +93,17 @@ void MakeRequests::add(const Candidate &candidate) const
         request.pose.tick_s = found.visibility.shown_s;
         request.pose.behaviour_levels = candidate.levels;
     }
-    if (crowd.follows().of(row)) request.rigid_mode = animcache::RigidMode::vertices;
-    if (keep_pose(request)) return;
-    choose_clips(request, candidate.levels);
-    if (!behaves && request.layers.count == 0 && request.foot_count == 0) share_key_poses(request);
+    if (follows) request.rigid_mode = animcache::RigidMode::vertices;
+    if (keep_pose(request)) return true;
+    if (behaves || follows || crowd.layers().of(row)) return false;
+    choose_clip(request);
+    share_key_poses(request);
+    return true;
 }
 
 base::Status MakeRequests::check() const
 {
-    if (requests.capacity() < candidates.count || !has_slots(candidates, rows))
+    if (requests.capacity() < candidates.count || blends.count < candidates.count || !has_slots(candidates, rows))
         return base::Status::bad(CLQ_ARGUMENT, "no room for a request of every candidate, or not a result of it");
     return base::Status::good();
 }
@@ -108,8 +111,26 @@ base::Status MakeRequests::check() const
 void MakeRequests::run() const
 {
     layers.clear();
+    requests.resize(candidates.count);
+    uint32_t visible[Given::part_count];
+    given.for_parts(candidates.count, [&](uint32_t part, uint32_t first, uint32_t last) {
+        uint32_t count = 0;
+        for (uint32_t i = first; i < last; ++i) {
+            blends[i] = !make(candidates[i], requests[i]);
+            count += requests[i].tmpl != nullptr;
+        }
+        visible[part] = count;
+    });
     stats.passed_sklsroot = 0;
-    for (const Candidate &candidate : candidates) add(candidate);
+    for (const uint32_t count : visible) stats.passed_sklsroot += count;
+    // One after the other: layers have one memory, in the order of the candidates.
+    for (uint32_t i = 0; i < candidates.count; ++i) {
+        if (!blends[i]) continue;
+        animcache::Request &request = requests[i];
+        choose_layers(request, candidates[i].levels);
+        if (given.crowd.behaviours().has_mechanisms(request.row)) continue;
+        if (request.layers.count == 0 && request.foot_count == 0) share_key_poses(request);
+    }
 }
 
 }  // namespace claque::frame

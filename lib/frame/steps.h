@@ -160,6 +160,7 @@ struct MakeRequests {
     base::Span<const Row> rows;
     const animcache::Caches &caches;
 
+    base::Span<uint8_t> blends;                      // scratch [candidates]: whether layers must be chosen
     std::pmr::vector<pose::Layer> &layers;           // within its capacity
     std::pmr::vector<animcache::Request> &requests;  // within its capacity: one per candidate
     Stats &stats;
@@ -168,9 +169,10 @@ struct MakeRequests {
     void run() const;
 
 private:
-    void add(const Candidate &candidate) const;
+    bool make(const Candidate &candidate, animcache::Request &request) const;
     bool keep_pose(animcache::Request &request) const;
-    void choose_clips(animcache::Request &request, uint64_t levels) const;
+    void choose_clip(animcache::Request &request) const;
+    void choose_layers(animcache::Request &request, uint64_t levels) const;
     void share_key_poses(animcache::Request &request) const;
 };
 
@@ -232,6 +234,7 @@ private:
     struct Tested;
     void test_parts(uint32_t view, uint32_t i, Tested &tested) const;
     void test(uint32_t i, Tested &tested) const;
+    void note(uint32_t i, Tested &tested) const;
 };
 
 // Builds the sorted draw list of one view.
@@ -251,10 +254,12 @@ struct ListView {
 
 private:
     draw::Item item_of(const SortEntry &listed) const;
+    void write_items() const;
 };
 
 // Adds an update to the statistics of distance bands.
 struct CountBands {
+    const Given &given;
     const animcache::Caches &caches;
     base::Span<const Row> rows;
     double elapsed_s;  // since the update before; 0: unknown

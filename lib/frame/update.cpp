@@ -137,11 +137,12 @@ void UpdateRun::choose()
     steps_.done(Step::cull);
     if (!given_.host_calls.ok()) return;
     checked(ChooseLevels{given_, visibilities(), motions(), work_.live_since, candidates(), rows}).run();
-    checked(MakeRequests{given_, placed(), found(), caches, work_.layers, caches.pending(), work_.stats}).run();
+    checked(MakeRequests{given_, placed(), found(), caches, base::Span<uint8_t>(work_.passed), work_.layers,
+                         caches.pending(), work_.stats})
+        .run();
 
     // S1 4: poses that already show their tick are not evaluated again.
     caches.allocate_poses();
-    caches.find_due_poses();
     checked(KeepToBudget{given_, std::max(0.0, elapsed_s_), work_.pose_cost_s, caches, candidates(), rows}).run();
 
     steps_.done(Step::choose);
@@ -171,7 +172,6 @@ void UpdateRun::show()
     const double culled_s = timer_.now();
     steps_.done(Step::cull_parts);
     caches.allocate_vertices();
-    caches.find_due_vertices();
     caches.skin(given_.jobs);
     learn_cost(work_, posed_s - begun_s_ + timer_.now() - culled_s);
 
@@ -189,7 +189,7 @@ void UpdateRun::show()
     static_cast<animcache::Counters &>(stats) = caches.counters();
     stats.visible = visible_count;
     stats.frame_bytes = work_.bytes();
-    checked(CountBands{caches, found(), elapsed_s_, {stats.bands, band_count}}).run();
+    checked(CountBands{given_, caches, found(), elapsed_s_, {stats.bands, band_count}}).run();
 }
 
 // Runs what makes room for an update, and says so if there is none.

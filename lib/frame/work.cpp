@@ -145,7 +145,7 @@ void Work::begin(const crowd::Crowd &crowd)
         last.live_since = live_since;
     }
     ++update;
-    caches.begin(can_undo);
+    caches.begin_over(can_undo);
 }
 
 void Work::undo()

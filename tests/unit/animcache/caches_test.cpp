@@ -54,11 +54,9 @@ protected:
         std::pmr::vector<Request> &list = caches.begin();
         list.assign(requests.begin(), requests.end());
         caches.allocate_poses();
-        caches.find_due_poses();
         caches.defer({1, 0.1, most_renewed});
         caches.animate(base::Jobs());
         caches.allocate_vertices();
-        caches.find_due_vertices();
         caches.skin(base::Jobs());
     }
 

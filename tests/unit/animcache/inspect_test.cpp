@@ -31,10 +31,8 @@ protected:
     {
         caches.begin().assign(1, request);
         caches.allocate_poses();
-        caches.find_due_poses();
         caches.animate(base::Jobs());
         caches.allocate_vertices();
-        caches.find_due_vertices();
         caches.skin(base::Jobs());
     }
 
