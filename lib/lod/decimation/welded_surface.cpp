@@ -81,7 +81,8 @@ WeldedSurface::WeldedSurface(const std::vector<SourcePart> &parts) : parts_(part
             if (v[0] == v[1] || v[1] == v[2] || v[2] == v[0] || add(v, corner)) continue;
             std::array<Mesh::VertexHandle, 3> apart;
             for (size_t k = 0; k < 3; ++k) {
-                apart[k] = mesh.add_vertex(mesh.point(v[k]));
+                const Mesh::Point point = mesh.point(v[k]);  // a copy: add_vertex() may move all points
+                apart[k] = mesh.add_vertex(point);
                 mesh.status(apart[k]).set_locked(true);
                 mesh.status(v[k]).set_locked(true);
             }
