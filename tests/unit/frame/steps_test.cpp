@@ -142,13 +142,15 @@ TEST_F(StepsTest, MakeRequestsNeedsRoomForARequestOfEveryCandidate)
 {
     const char *const text = "no room for a request of every candidate, or not a result of it";
     std::pmr::vector<animcache::Request> requests;
-    const auto step = [&](uint32_t missing) {
-        return MakeRequests{given_, placed(), found(missing), work_.caches, work_.layers, requests, work_.stats};
+    const auto step = [&](uint32_t missing, uint32_t narrow) {
+        return MakeRequests{given_,       placed(), found(missing), work_.caches, cut(work_.passed, rows_ - narrow),
+                            work_.layers, requests, work_.stats};
     };
-    is_refused(step(0), text);
+    is_refused(step(0, 0), text);
     requests.reserve(rows_);
-    fits(step(0));
-    is_refused(step(1), text);
+    fits(step(0, 0));
+    is_refused(step(1, 0), text);
+    is_refused(step(0, 1), text);
 }
 
 TEST_F(StepsTest, KeepToBudgetNeedsRequestsOfAllCandidatesAndTimeThatPasses)
@@ -220,9 +222,9 @@ TEST_F(StepsTest, CountBandsNeedsBandsAndResultsOfAllThatAreDrawn)
     drawn.drawn = true;
     drawn.slot = rows_ - 1;
     Band bands[1];
-    fits(CountBands{work_.caches, found(), 0.1, {bands, 1}});
-    is_refused(CountBands{work_.caches, found(), 0.1, {}}, "no distance band");
-    is_refused(CountBands{work_.caches, found(1), 0.1, {bands, 1}}, "slot 79 of 79 is drawn");
+    fits(CountBands{given_, work_.caches, found(), 0.1, {bands, 1}});
+    is_refused(CountBands{given_, work_.caches, found(), 0.1, {}}, "0 distance bands: 1 to 8 are counted");
+    is_refused(CountBands{given_, work_.caches, found(1), 0.1, {bands, 1}}, "slot 79 of 79 is drawn");
 }
 
 }  // namespace claque::frame
