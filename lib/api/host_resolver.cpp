@@ -8,6 +8,7 @@
 #include "lib/api/scene_handle.h"
 #include "lib/api/track_handle.h"
 #include "lib/crowd/restore.h"
+#include "lib/crowd/save_fields.h"
 
 namespace claque::api
 {
@@ -23,6 +24,32 @@ void as_format(const char *what, uint32_t index, const Body &body)
     } catch (const base::Error &error) {
         base::fail(CLQ_FORMAT, "%s %u of a saved crowd: %s", what, index + 1, error.what());
     }
+}
+
+void walk(crowd::Writer &out, const crowd::RootPath &path) { walk_path(out, path); }
+
+void walk(crowd::Writer &out, const crowd::Mechanism &mechanism)
+{
+    walk_levels(out, mechanism);
+    std::visit([&](const auto &kind) { walk_kind(out, kind); }, mechanism.kind);
+}
+
+template <class Description>
+uint64_t hash_of(const Description &description)
+{
+    base::HashingSink measure;
+    crowd::Writer out(measure);
+    walk(out, description);
+    out.flush();
+    return measure.hash;
+}
+
+// A host's description is completed when it is taken: a path's lap is closed. What a crowd saves is complete, so that a
+// restored crowd saves the same bytes.
+template <class Description>
+void require_same(const Description &made, const Description &saved)
+{
+    if (hash_of(made) != hash_of(saved)) base::fail(CLQ_FORMAT, "no crowd saves it like this");
 }
 
 }  // namespace
@@ -77,6 +104,7 @@ void HostResolver::add(crowd::Behaviours &out, uint32_t index, crowd::Mechanism 
         const MechanismDef saved(mechanism, memory);
         model::Array<uint32_t> written(memory);
         crowd::Mechanism made = mechanism_of(saved.def, *mechanism.tmpl, memory, written);
+        require_same(made, mechanism);
         out.add(std::move(made), base::Span<const uint32_t>(written));
     });
 }
@@ -85,7 +113,9 @@ void HostResolver::add(crowd::Behaviours &out, uint32_t index, crowd::RootPath &
 {
     as_format("path", index, [&] {
         std::pmr::memory_resource *memory = &crowd_.context->memory;
-        out.add(path_of(RootPathDef(path, memory).def, memory));
+        crowd::RootPath made = path_of(RootPathDef(path, memory).def, memory);
+        require_same(made, path);
+        out.add(std::move(made));
     });
 }
 

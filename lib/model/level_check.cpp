@@ -102,9 +102,14 @@ void check_surface(const Template &tmpl, const Level &level, const Surface &surf
                  level.slots[level.indices[i]], zones);
 }
 
-// Every range of a surface has indices of its own, so checking them all reads each index once.
+// Every range of a surface has indices of its own, so checking them all reads each index once. Indices of no range are
+// not drawn, but a renderer gives GL the whole array.
 void check_surfaces(const Template &tmpl, const Level &level)
 {
+    for (size_t i = 0; i < level.indices.size(); ++i)
+        if (level.indices[i] >= level.vertex_count)
+            fail(CLQ_ARGUMENT, "index %zu names vertex %u, which does not exist: there are %u", i, level.indices[i],
+                 level.vertex_count);
     uint64_t taken = 0;
     for (const Surface &surface : level.surfaces) {
         taken += uint64_t(surface.dirty.count) + surface.fused.count;

@@ -30,7 +30,7 @@ const char *__lsan_default_options() { return "print_suppressions=0"; }
 
 #if defined(CLAQUE_RACE_CHECKER)
 extern "C" __attribute__((visibility("default"))) const char *__tsan_default_suppressions();
-const char *__tsan_default_suppressions() { return "called_from_lib:libOSMesa.so\ncalled_from_lib:swrast_dri.so\n"; }
+const char *__tsan_default_suppressions() { return "race:libOSMesa.so\nrace:swrast_dri.so\n"; }
 #endif
 
 namespace contexts
