@@ -2,7 +2,8 @@
  * share. claque/stage.h has the stage itself and its flows; docs/stage.md describes the files.
  *
  * Threads: the calls belong to the stage's decisions, so one thread at a time makes them or clq_stage_step, except
- * clq_stage_send, clq_stage_set_variable and clq_stage_tell_view, which any thread may call at any time. GL: none. */
+ * clq_stage_send, clq_stage_set_variable and clq_stage_tell_view, which any thread may call at any time. Calls that
+ * add, remove or place something fail with BUSY while another of them or clq_stage_step is at work. GL: none. */
 #ifndef CLAQUE_AGENTS_H
 #define CLAQUE_AGENTS_H
 
@@ -112,7 +113,8 @@ CLQ_API clq_status clq_stage_add_agent(clq_stage *stage, const clq_agent_def *de
 /* Removes an agent. Its actor stays and shows what it was told so far. Fails: STALE_ID, OUT_OF_MEMORY. */
 CLQ_API clq_status clq_stage_remove_agent(clq_stage *stage, clq_agent agent);
 
-/* Places an agent that does not walk, for distances and radii. Its actor is placed by the host.
+/* Says where an agent is that does not walk, for distances and radii. The host moves its actor.
+ *   position   finite, in world units
  * Fails: STALE_ID, ARGUMENT. */
 CLQ_API clq_status clq_stage_set_place(clq_stage *stage, clq_agent agent, const double position[3]);
 
@@ -130,7 +132,9 @@ typedef struct clq_agent_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_agent_info)
 
-/* Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. */
+/* Gets the state of an agent.
+ *   out   made by clq_agent_info_init
+ * Fails: STRUCT_SIZE, STALE_ID, ARGUMENT. */
 CLQ_API clq_status clq_stage_get_agent(const clq_stage *stage, clq_agent agent, clq_agent_info *out);
 
 /* An event for one agent, or for all agents that fulfil each condition that is given. */
@@ -156,21 +160,25 @@ CLQ_API clq_status clq_stage_send(clq_stage *stage, const clq_stage_event *event
 /* Sets a variable of an agent, or one of the crowd.
  *   agent   {0}: a variable of the crowd
  *   value   finite; of a variable that is true or false: 0 or 1
+ *   at_s    when it changes; a time that is decided counts as the next tick
  * Fails: STALE_ID, ARGUMENT (a name that is not declared), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_stage_set_variable(clq_stage *stage, clq_agent agent, const char *name, double value,
                                           double at_s);
 
-/* Gets a variable at the time decided. Fails: STALE_ID, ARGUMENT. */
+/* Gets a variable at the time decided.
+ *   agent   {0}: a variable of the crowd
+ * Fails: STALE_ID, ARGUMENT (a name that is not declared). */
 CLQ_API clq_status clq_stage_get_variable(const clq_stage *stage, clq_agent agent, const char *name, double *out);
 
 /* Tells the stage that agents have come into view or left it. Those that changed get the event "seen" or "unseen".
  *   agents, in_view   [count]
+ *   at_s              when they did; a time that is decided counts as the next tick
  * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_stage_tell_view(clq_stage *stage, const clq_agent *agents, const bool *in_view, uint32_t count,
                                        double at_s);
 
 /* Adds a timetable of events (docs/stage.md).
- *   offset_s   added to its times
+ *   offset_s   seconds that are added to its times
  * Fails: ARGUMENT, IO, FORMAT, LIMIT, OUT_OF_MEMORY. */
 CLQ_API clq_status clq_stage_add_timetable(clq_stage *stage, const clq_stage_text *source, double offset_s);
 

@@ -1,7 +1,8 @@
 /* claque: conventions, statuses, host services. Every other header includes this one.
  *
  * The headers are C99 and C++. libclaque is what claque/claque.h includes; libclaque-assets is claque/assets.h,
- * trajectories.h, levels.h, zones.h, prepare.h and colour_files.h; libclaque-stage is claque/stage.h and agents.h.
+ * trajectories.h, levels.h, zones.h, prepare.h and colour_files.h; libclaque-stage is claque/stage.h, agents.h and
+ * navigation.h.
  *
  * Calls. A call that can fail returns a clq_status. A failed call leaves everything as it was, except where its comment
  * says otherwise; clq_last_error() then holds one sentence that names the broken rule, with names and numbers. A
@@ -19,18 +20,21 @@
  *   other size fails with STRUCT_SIZE. A longer size is among them: the host was compiled with newer headers than the
  *   library.
  * Structs that the library passes to callbacks may grow at their end and have no struct_bytes.
- * All other structs (ids, small values, elements of arrays) never change. A _def among them has an _init function too.
+ * All other structs (ids, small values, elements of arrays) never change. A _def among them has an _init function too,
+ * except for those that are members of another struct and get their defaults with it.
  *
  * Callbacks. A callback may throw a C++ exception. No exception passes through claque: the call fails with CALLBACK and
  * leaves everything as it was; a view keeps its list. Calls that the callback had taken before are not taken back, nor
  * is what GL has drawn. Where a comment of the callback says so, the call goes on instead. A callback must not leave by
  * longjmp, and its thread must not be cancelled in it.
  *
- * Units. A suffix names the unit: _s seconds, _ms milliseconds, _hz per second, _rad radians, _deg degrees, _px pixels,
- * _m metres, _bytes bytes, _count a number of things.
+ * Units. A suffix names the unit: _s seconds, _ms milliseconds, _us microseconds, _hz per second, _rad radians, _deg
+ * degrees, _px pixels, _m metres, _m2 square metres, _m_s metres per second, _m_s2 metres per second squared, _bytes
+ * bytes, _count a number of things.
  * A length has one of three units:
- *   metres         if its name ends in _m. Every distance between an eye and an actor is in metres: update periods,
- *                  levels of detail, key-poses, shadows, statistics.
+ *   metres         if its name ends in _m, and in clq_trajectory_sample, which has what a file has. Every distance
+ *                  between an eye and an actor is in metres: update periods, levels of detail, key-poses, shadows,
+ *                  statistics.
  *   world units    if it is without suffix and lies in the world: positions, translations, heights, camera planes. One
  *                  world unit is clq_crowd_def.metres_per_unit metres.
  *   model units    if it is without suffix and lies in an actor's own space: vertices, nodes, root paths, bounding
@@ -131,7 +135,7 @@ CLQ_API const char *clq_last_error(void);
  * Threads: any. */
 CLQ_API clq_status clq_report(clq_status status, const char *text);
 
-/* Memory from the host. The thread that calls claque and the tasks call both functions. */
+/* Memory from the host. The threads that call claque and the tasks call both functions, several at once. */
 typedef struct clq_allocator {
     void *user;
     /* Returns at least size_bytes, aligned to alignment_bytes (a power of two), or NULL to refuse. An exception counts
@@ -143,7 +147,8 @@ typedef struct clq_allocator {
 
 typedef enum clq_log_level { CLQ_LOG_INFO = 0, CLQ_LOG_WARNING = 1 } clq_log_level;
 
-/* Receives notes and warnings. claque itself prints nothing. */
+/* Receives notes and warnings, on the thread that calls claque; on several at once where several threads call it.
+ * claque itself prints nothing. */
 typedef struct clq_log {
     void *user;
     /* `text` is one sentence and valid during the call. An exception is ignored. */

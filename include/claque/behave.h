@@ -53,9 +53,9 @@ typedef struct clq_dof_pose {
 /* Looks at a point. The degrees of freedom are rotations; CLQ_NONE leaves one out, but not all of them. Yaw is positive
  * to the actor's left, pitch is positive upwards. The spine takes spine_share of the turn, the neck neck_share of the
  * rest, and the eyes the remainder, each within its range; what a part cannot turn is not given to the others. A target
- * behind is viewed over the last shoulder used, first the left; actors on a root path drop it instead. Each coarser
- * level leaves out the finest part that remains: eyes first, then neck. A level beyond the number of parts leaves out
- * the pitch. */
+ * behind is viewed over the last shoulder used, first the left; actors on a root path ignore such a target. Each
+ * coarser level leaves out the finest part that remains: eyes first, then neck. A level beyond the number of parts
+ * leaves out the pitch. */
 typedef struct clq_gaze_def {
     uint32_t eye_yaw[2], eye_pitch[2], neck_yaw, neck_pitch, spine_yaw, spine_pitch;
     float neck_share, spine_share; /* [0, 1] default 0.6 and 0.2 */
@@ -277,8 +277,9 @@ CLQ_API clq_status clq_actor_play_root_path(clq_crowd *crowd, clq_actor actor, c
  * Fails: ARGUMENT. */
 CLQ_API clq_status clq_crowd_set_ground(clq_crowd *crowd, clq_height_function height, void *user);
 
-/* Moves an actor's Skeleton Root along y to the ground, by max_up or max_down world units at most; both 0: the actor
- * does not follow the ground. The Refpoint Bsphere grows by the larger one. Members of groups do not follow the ground.
+/* Moves an actor's Skeleton Root along y to the ground.
+ *   max_up, max_down   [>= 0] world units that it moves at most; both 0: the actor does not follow the ground
+ * The Refpoint Bsphere grows by the larger one. Members of groups do not follow the ground.
  * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. */
 CLQ_API clq_status clq_actor_follow_ground(clq_crowd *crowd, clq_actor actor, float max_up, float max_down);
 

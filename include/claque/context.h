@@ -1,8 +1,9 @@
-/* clq_context: the services that a host lends to claque. Templates, crowds, colour maps and renderers are made from a
- * context and must be destroyed before it. Assets (claque/assets.h) use a context during calls only.
+/* clq_context: the services that a host lends to claque. Templates, crowds, colour maps, renderers, locomotions, tracks
+ * and records are made from a context and must be destroyed before it. Assets, trajectories and areas
+ * (libclaque-assets) use a context during calls only.
  *
  * libclaque reads one variable of the environment, CLAQUE_SIMD (claque/simd.h). libclaque-assets also reads
- * XDG_CACHE_HOME and HOME, in calls that make a template of a file or of a built-in character at once. */
+ * XDG_CACHE_HOME and HOME, in clq_template_prepare, clq_template_load_gltf and clq_template_builtin. */
 #ifndef CLAQUE_CONTEXT_H
 #define CLAQUE_CONTEXT_H
 
@@ -34,8 +35,8 @@ CLQ_DEFINE_ZERO_INIT(clq_context_def)
 CLQ_API clq_status clq_context_create(const clq_context_def *def, clq_context **out);
 
 /* Destroys a context; NULL is ignored.
- * Fails: IN_USE while a template, crowd, colour map or renderer of it exists; the context then stays. Threads: no other
- * call may use the context at the same time. GL: none. */
+ * Fails: IN_USE while something that was made from it exists; the context then stays. Threads: no other call may use
+ * the context at the same time. GL: none. */
 CLQ_API clq_status clq_context_destroy(clq_context *context);
 
 /* For libraries and bindings on top of claque: writes a sentence to the context's log; without a log, does nothing.

@@ -248,8 +248,8 @@ CLQ_API clq_status clq_actor_randomise_colours(clq_crowd *crowd, clq_actor actor
 CLQ_API clq_status clq_actor_set_texture_set(clq_crowd *crowd, clq_actor actor, uint32_t set);
 
 /* Creates an actor like another one: with its template, clips, fades and layers, colours, texture set, mechanisms with
- * their commands, root path, group, priority, speed, hooks and ground, but without its attachments (S0 7.1). Nothing of
- * the template is copied.
+ * their commands, root path, track, group, priority, speed, hooks and ground, but without its attachments (S0 7.1).
+ * Nothing of the template is copied.
  *   transform   in the other's group, if it has one; NULL: the other's own
  *   seed        of its later random choices; it keeps the other's colours until they are set or sampled
  * Fails: STALE_ID, ARGUMENT, LIMIT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */

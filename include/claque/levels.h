@@ -52,8 +52,9 @@ static inline clq_levels_def clq_levels_def_init(void)
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT
- * (the centre of a triangle lies in the boxes of more than 512 others, on average; 2000 bytes for each triangle and 100
- * for each vertex are more than 16 MiB and 64 times what was read), OUT_OF_MEMORY; the asset then stays.
+ * (triangles lie on one another: on average the centre of one lies in the bounding boxes of more than 512 others; or
+ * memory: 2000 bytes for each triangle and 100 for each vertex are more than 16 MiB plus 64 times the bytes that were
+ * read), OUT_OF_MEMORY; the asset then stays.
  * Threads: one per asset. GL: none. */
 CLQ_API clq_status clq_asset_make_levels(clq_context *context, clq_asset *asset, const clq_levels_def *def,
                                          uint32_t *out_count);

@@ -1,7 +1,7 @@
 /* clq_navigation and clq_walkers (libclaque-stage): people that find their way and give way to each other.
  *
  * A navigation is the ground on which people can walk, made once from triangles by Recast: a scene's geometry, or a
- * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds a path by Detour, and avoids the
+ * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and avoids the
  * others by DetourCrowd, in ticks of fixed length. What they did is published as pieces of tracks (claque/track.h),
  * with gait and steps, that never change afterwards; any crowd shows them, and any file keeps them.
  *
@@ -177,7 +177,7 @@ CLQ_API clq_status clq_walkers_create(clq_navigation *navigation, const clq_walk
 /* Destroys walkers; NULL is ignored. Tracks that crowds follow live on. Threads: no other call may use them. */
 CLQ_API void clq_walkers_destroy(clq_walkers *walkers);
 
-/* The id of a walker; 0 is none. */
+/* The id of a walker. {0, 0} is none; that of a removed walker is STALE_ID. */
 typedef struct clq_walker {
     uint32_t index1, generation;
 } clq_walker;
@@ -226,7 +226,7 @@ CLQ_API clq_status clq_walker_go(clq_walkers *walkers, clq_walker walker, const 
 CLQ_API clq_status clq_walker_stop(clq_walkers *walkers, clq_walker walker);
 
 typedef enum clq_walker_state {
-    CLQ_WALKER_STANDS = 0, /* it has no goal. It makes room for those who cannot pass, and comes back */
+    CLQ_WALKER_STANDS = 0, /* it has no goal. It makes room for walkers that cannot pass, and comes back */
     CLQ_WALKER_WAITS = 1,  /* for its way to be found */
     CLQ_WALKER_WALKS = 2,
     CLQ_WALKER_ARRIVED = 3,
@@ -264,10 +264,10 @@ CLQ_API clq_status clq_walkers_get_pieces(const clq_walkers *walkers, const clq_
 
 typedef struct clq_walkers_info {
     uint32_t struct_bytes;   /* set by clq_walkers_info_init */
-    uint32_t count, waiting; /* walkers; of these, such that wait for a way */
+    uint32_t count, waiting; /* walkers; of these, walkers that wait for a way */
     double time_s;
-    uint64_t ticks, plans, pieces;
-    uint64_t hash; /* of places and velocities: equal runs have equal hashes */
+    uint64_t ticks, plans, pieces; /* so far: plans are searches for a way */
+    uint64_t hash;                 /* of places and velocities: equal runs have equal hashes */
 } clq_walkers_info;
 
 CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
@@ -275,13 +275,13 @@ CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
 /* Fails: STRUCT_SIZE, ARGUMENT. */
 CLQ_API clq_status clq_walkers_get_info(const clq_walkers *walkers, clq_walkers_info *out);
 
-/* Lets the agents of a stage walk: those whose machine and cast say so (claque/agents.h). Walkers are simulated one
- * piece ahead of the time that is decided, so they turn to a new goal half a second later. Call it before the first
- * agent.
+/* Lets the agents of a stage walk: those whose template has a locomotion in clq_machine_def.locomotions. Walkers are
+ * simulated one piece ahead of the time that is decided, so they turn to a new goal half a second later. Call it before
+ * the first agent.
  *   navigation    held
  *   def           copied; start_s is that of the stage. NULL: clq_walkers_def_init()
- *   locomotions   [locomotion_count] of all casts, in an order that is the same in each run; they live as long as the
- *                 stage. Saved stages name them by number
+ *   locomotions   [locomotion_count] those of all machines, in an order that is the same in each run; they live as
+ *                 long as the stage. Saved stages name them by number
  * Fails: STRUCT_SIZE, ARGUMENT, OUT_OF_MEMORY. Threads: the decisions' flow. */
 CLQ_API clq_status clq_stage_set_navigation(clq_stage *stage, clq_navigation *navigation, const clq_walkers_def *def,
                                             const clq_locomotion *const *locomotions, uint32_t locomotion_count);

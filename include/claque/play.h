@@ -218,8 +218,8 @@ CLQ_API clq_status clq_actor_set_watched(clq_crowd *crowd, clq_actor actor, bool
 
 /* Gets the events of all watched actors within a range of time, ordered by time, then actor, then kind. Events are a
  * function of time and of the commands: ask with the times of two successive updates, before the next commands. The
- * target of a fade, and the clips that an idle mechanism chooses, count while they are the newest one shown. off_m of
- * mechanisms does not matter.
+ * target of a fade, and the clips that an idle mechanism chooses, count while they are the newest one shown; the
+ * distance off_m of the mechanism is not regarded.
  *   out_events   [capacity], or NULL with capacity 0: the call only counts
  *   out_count    the number of events
  * Fails: ARGUMENT (a time that is not finite), LIMIT (more events than capacity, or than a million), OUT_OF_MEMORY,

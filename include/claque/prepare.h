@@ -16,7 +16,7 @@ typedef struct clq_prepare_def {
     /* Exactly one of builtin and path is given. External files of a glTF file count as part of it. */
     const char *builtin;              /* as in clq_asset_builtin */
     const char *path;                 /* as in clq_asset_load_file */
-    uint32_t clip_count;              /* with builtin, as in clq_asset_builtin_varied; 0: the figure's own clips */
+    uint32_t clip_count;              /* with builtin, as in clq_asset_builtin_varied; 0: the character's own clips */
     const clq_asset_options *options; /* with path; NULL: defaults */
     const clq_levels_def *levels;     /* NULL: only the character's own levels of detail */
     uint32_t max_texture_px;          /* as in clq_asset_build */

@@ -1,20 +1,20 @@
 /* clq_scene: finds the individuals of a crowd by id, by what they show, by category, in an order of the host's own, and
- * by place (S2 3.1: several views of the same individuals, each with an access of its own).
+ * by place (S2 3.1: several indices of the same individuals).
  *
  * A host makes one or more scenes on a crowd; a crowd without a scene pays nothing. Calls that change the crowd mark
- * what they change, and the next clq_crowd_update or clq_scene_update of the crowd takes it over. Questions are exact
+ * what they change, and the next clq_crowd_update or clq_scene_update of the crowd takes it over. Queries are exact
  * at any moment: what has been marked since is tested one by one. Their cost follows the number of answers, and grows
  * with the number of individuals changed since the last update and, for those on tracks, with the difference between
  * the time asked for and that of the last update.
  *
  * The place of an individual is its Skeleton Root: its Reference Point, moved by its group, its track and its root
- * path, but not put on the ground. It is found for the time that the question names, which may be any. Its body is the
+ * path, but not put on the ground. It is found for the time that the query names, which may be any. Its body is the
  * Sklsroot Bsphere there, larger by as much as the ground may move it. Individuals are absent before and after their
  * track; members of disabled groups are found. An individual whose place is not finite has no place.
  *
- * Answers go to the host's array and depend on the crowd, the time and the question alone. A call writes the first
+ * Answers go to the host's array and depend on the crowd, the time and the query alone. A call writes the first
  * `capacity` of them in the order that it names, and their whole number to *out_count; the array may be NULL with
- * capacity 0. Questions change nothing and allocate nothing: any number of threads may ask at once between the calls of
+ * capacity 0. Queries change nothing and allocate nothing: any number of threads may ask at once between the calls of
  * the crowd's writer. */
 #ifndef CLAQUE_SCENE_H
 #define CLAQUE_SCENE_H
@@ -35,7 +35,7 @@ CLQ_API clq_status clq_scene_create(clq_crowd *crowd, clq_scene **out);
 /* Destroys a scene; NULL is ignored. Fails: BUSY; the scene then stays. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_scene_destroy(clq_scene *scene);
 
-/* Takes over what has changed in the crowd, so that questions about times near time_s cost least. clq_crowd_update does
+/* Takes over what has changed in the crowd, so that queries about times near time_s cost least. clq_crowd_update does
  * the same; this call is for hosts that ask more often than they draw.
  * Fails: ARGUMENT (a time that is not finite), OUT_OF_MEMORY (the answers stay right), BUSY. Threads: the crowd's
  * writer. GL: none. */
@@ -43,20 +43,20 @@ CLQ_API clq_status clq_scene_update(clq_scene *scene, double time_s);
 
 /* Sets the categories of individuals, in place of those they had: for all or, when it fails, for none. A category is a
  * number from 0 to 63 to which the host gives a meaning, such as seated or owl; an individual has any set of them, one
- * bit each, so that a set is one number and questions combine them at no cost. They end with the actor, and are not
+ * bit each, so that a set is one number and queries combine them at no cost. They end with the actor, and are not
  * saved with the crowd; after clq_crowd_restore individuals with the same id have kept them.
  *   actors   [count]
  * Fails: STALE_ID (names the first), ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_scene_set_categories(clq_scene *scene, const clq_actor *actors, uint32_t count,
                                             uint64_t categories);
 
-/* Gives individuals a place in the ordered view of the host: for all or, when it fails, for none. Keys end as
- * categories do.
- *   actors, keys   [count]; NaN: the individual leaves the ordered view
+/* Sets the keys of individuals, numbers that put them into an order of the host's own: for all or, when it fails, for
+ * none. Keys end as categories do.
+ *   actors, keys   [count]; NaN: the individual has no key any more
  * Fails: STALE_ID (names the first), ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. GL: none. */
 CLQ_API clq_status clq_scene_set_keys(clq_scene *scene, const clq_actor *actors, const double *keys, uint32_t count);
 
-/* Which individuals a question is about: those to which all conditions apply. */
+/* Which individuals a query is about: those to which all conditions apply. */
 typedef struct clq_scene_filter {
     uint32_t struct_bytes;    /* set by clq_scene_filter_init */
     const clq_template *tmpl; /* NULL: any */
@@ -87,7 +87,7 @@ typedef struct clq_scene_actor {
     uint32_t texture_set;
     uint32_t level; /* as in clq_scene_filter; CLQ_NONE: never shown */
     uint64_t categories;
-    double key; /* NaN: not in the ordered view */
+    double key; /* NaN: none */
 } clq_scene_actor;
 
 CLQ_DEFINE_ZERO_INIT(clq_scene_actor)
@@ -124,7 +124,7 @@ typedef struct clq_scene_hit {
     double distance;    /* world units; each call says from where */
 } clq_scene_hit;
 
-/* Questions about places at a time.
+/* Queries about places at a time.
  *   time_s     on the clock of clq_crowd_update; any
  *   filter     NULL: all
  *   out_hits   [capacity]
@@ -205,10 +205,10 @@ typedef struct clq_scene_stats {
     uint32_t actor_count;  /* individuals taken over */
     uint32_t marked;       /* individuals changed since, not counting members of groups that moved; all: actor_count */
     uint32_t moving;       /* individuals that follow a track */
-    uint32_t keyed;        /* individuals in the ordered view */
+    uint32_t keyed;        /* individuals that have a key */
     uint32_t height;       /* of the tree of places */
     uint64_t placed;       /* times that an individual got a new place in the tree, since the scene was created */
-    uint64_t bytes;        /* memory of the scene; nodes of the ordered view are estimated */
+    uint64_t bytes;        /* memory of the scene; nodes of the order by keys are estimated */
 } clq_scene_stats;
 
 CLQ_DEFINE_ZERO_INIT(clq_scene_stats)

@@ -12,8 +12,8 @@ extern "C" {
 
 /* The height, along `up`, of the plane that the shadow of an individual falls on. */
 typedef enum clq_shadow_ground {
-    CLQ_SHADOW_GROUND_REFERENCE =
-        0,                       /* that of its Reference Point, or of its Skeleton Root if that follows the ground */
+    /* That of its Reference Point, or of its Skeleton Root if that follows the ground. */
+    CLQ_SHADOW_GROUND_REFERENCE = 0,
     CLQ_SHADOW_GROUND_PLANE = 1, /* plane_height for all */
     CLQ_SHADOW_GROUND_HOST = 2   /* the result of height() */
 } clq_shadow_ground;

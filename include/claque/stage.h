@@ -1,4 +1,4 @@
-/* clq_stage: people that decide (libclaque-stage, S1 2.1-2.2, S2 3.2). A stage runs state machines for agents and tells
+/* clq_stage: agents that decide (libclaque-stage, S1 2.1-2.2, S2 3.2). A stage runs state machines for agents and tells
  * a crowd's actors what to do, through claque's public calls alone, as any host could.
  *
  * Flows. Decisions (clq_stage_step) and drawing (clq_stage_apply, then clq_crowd_update) may run on two threads, and
@@ -128,12 +128,15 @@ typedef struct clq_stage_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_stage_info)
 
-/* Gets what the last step left. Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+/* Gets what the last step left.
+ *   out   made by clq_stage_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
 CLQ_API clq_status clq_stage_get_info(const clq_stage *stage, clq_stage_info *out);
 
 /* Writes the state of a stage: agents, variables, tasks, commands that are not applied, tracks that actors follow. Save
  * the crowd at the same moment. Machines and actions are not written.
- * Fails: ARGUMENT, IO, CALLBACK, OUT_OF_MEMORY, BUSY. Threads: no other call may use the stage at the same time. */
+ * Fails: ARGUMENT, IO, CALLBACK, OUT_OF_MEMORY, BUSY (the last step ran out of memory within a tick: step again).
+ * Threads: no other call may use the stage at the same time. */
 CLQ_API clq_status clq_stage_save(const clq_stage *stage, clq_write_function write, void *user);
 
 /* Replaces the state of a stage by one that clq_stage_save wrote. The stage must have been made with the same settings,

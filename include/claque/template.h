@@ -285,15 +285,16 @@ CLQ_DEFINE_ZERO_INIT(clq_template_def)
 /* Builds a template from the host's own arrays. It copies what it needs and keeps nothing of `def`. The template does
  * not depend on the context's tasks, which share the work.
  *   out   owned by the host until clq_template_destroy
- * The call takes at most 16 MiB and 64 bytes for each byte that was read or passed; bytes after decompression and 4 for
- * each pixel count as read. The number of poses that it evaluates is limited likewise. Clips whose rows would take more
- * keep their channels, and show the same poses. Bounding spheres that would take more are larger. A template has at
- * most 64 levels of detail. Of a level with more than 64 parts, neighbouring parts are culled as one.
+ * The call takes at most 16 MiB plus 64 bytes for each byte that was read or passed; bytes after decompression and 4
+ * for each pixel count as read. The number of poses that it evaluates is limited likewise. Clips whose rows would take
+ * more keep their channels, and show the same poses. Bounding spheres that would take more are larger. A template has
+ * at most 64 levels of detail. Of a level with more than 64 parts, neighbouring parts are culled as one.
  * Fails: STRUCT_SIZE, ARGUMENT (names the first broken rule), LIMIT (what else would take more, with both numbers),
  * OUT_OF_MEMORY. Threads: any. GL: none. S1 3. */
 CLQ_API clq_status clq_template_build(clq_context *context, const clq_template_def *def, clq_template **out);
 
-/* Ends the host's ownership of a template; NULL is ignored. Crowds and renderers that use the template keep it alive.
+/* Ends the host's ownership of a template; NULL is ignored. Crowds, renderers, locomotions and records that use the
+ * template keep it alive.
  * Threads: any. GL: none. */
 CLQ_API void clq_template_destroy(clq_template *tmpl);
 

@@ -103,8 +103,8 @@ typedef struct clq_track_passing {
 typedef struct clq_track_def {
     uint32_t struct_bytes; /* set by clq_track_def_init */
     uint32_t point_count;  /* 1 or more */
-    const clq_track_point
-        *points; /* [point_count] times ascend, by any steps; every point within 250 km of the first */
+    /* [point_count] times ascend, by any steps; every point within 250 km of the first */
+    const clq_track_point *points;
     /* [0, 60] positions are averaged over this time, about one stride, because measured heads sway from side to side.
      * The first and the last point stay. 0: not at all. Default 1.1 */
     float smooth_s;
@@ -166,7 +166,7 @@ CLQ_API clq_status clq_find_passings(clq_context *context, const clq_track_def *
  * heading are then frozen and an idle clip plays; steps in between carry the person along if it drifts by 0.25 m. Slow
  * people take short steps, first of the slow walk, then blended with standing; from 1.35 times the walk's own speed on
  * the run is blended in. The heading is that of the points or follows the path; it is held below 0.25 m/s and turns by
- * at most half a turn a second. Head and neck look where the heading will be half a second later, by up to 63 degrees
+ * at most 3.1 radians a second. Head and neck look where the heading will be half a second later, by up to 63 degrees
  * from the body; what control mechanisms write of them (claque/behave.h) is added. While a foot carries weight, a
  * two-bone mechanism of the leg holds it where it stands.
  *   def   copied
@@ -216,8 +216,8 @@ CLQ_API clq_status clq_track_evaluate(const clq_track *track, double time_s, clq
 
 /* A time in which a foot stands. */
 typedef struct clq_track_plant {
-    double begin_s,
-        end_s;          /* on the track's own clock; a foot that is down at an end of the track begins or ends there */
+    /* On the track's own clock; a foot that is down at an end of the track begins or ends there. */
+    double begin_s, end_s;
     double position[3]; /* of the ball of the foot, on the ground, world units */
 } clq_track_plant;
 
@@ -264,7 +264,8 @@ CLQ_API clq_status clq_actor_follow_track(clq_crowd *crowd, clq_actor actor, clq
  * Threads: the crowd's writer. */
 CLQ_API clq_status clq_actor_fade_to_track(clq_crowd *crowd, clq_actor actor, double at_s, float length_s);
 
-/* Lets an actor go: it stays where its track has it at at_s, at every time. If it plays the track's gait, it stands.
+/* Ends the following of a track: the actor stays where its track has it at at_s, at every time. If it plays the track's
+ * gait, it stands.
  * Fails: STALE_ID, ARGUMENT (an actor that follows no track), OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
 CLQ_API clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, double at_s);
 
@@ -273,9 +274,9 @@ CLQ_API clq_status clq_actor_leave_track(clq_crowd *crowd, clq_actor actor, doub
  * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
 CLQ_API clq_status clq_crowd_add_track(clq_crowd *crowd, clq_track *track);
 
-/* Lets go of every track that no actor of the crowd follows now, so that a long run of pieces needs no more memory than
+/* Releases every track that no actor of the crowd follows now, so that a long run of pieces needs no more memory than
  * the pieces that are shown.
- *   released   how many; may be NULL
+ *   released   gets their number; may be NULL
  * Fails: ARGUMENT, OUT_OF_MEMORY, BUSY. Threads: the crowd's writer. */
 CLQ_API clq_status clq_crowd_release_tracks(clq_crowd *crowd, uint32_t *released);
 
