@@ -119,20 +119,21 @@ typedef enum clq_status {
     CLQ_CALLBACK = 14       /* a callback of the host threw an exception; the text repeats it */
 } clq_status;
 
-/* Returns CLQ_VERSION of the library, which may differ from that of the headers. Threads: any. */
+/* Returns CLQ_VERSION of the library, which may differ from that of the headers. Threads: any. GL: none. */
 CLQ_API uint32_t clq_version(void);
 
-/* Returns the name of a status, for example "CLQ_STALE_ID"; "CLQ_?" for an unknown number. Never NULL. Threads: any. */
+/* Returns the name of a status, for example "CLQ_STALE_ID"; "CLQ_?" for an unknown number. Never NULL. Threads: any.
+ * GL: none. */
 CLQ_API const char *clq_status_name(clq_status status);
 
 /* Returns the last failure of a claque call on this thread as one sentence; "" if there was none. The string is valid
- * until the next claque call on this thread. Successful calls leave it alone. Threads: any. */
+ * until the next claque call on this thread. Successful calls leave it alone. Threads: any. GL: none. */
 CLQ_API const char *clq_last_error(void);
 
 /* For libraries and bindings on top of claque: sets this thread's last error to `text` and returns `status`, so that
  * they can write return clq_report(CLQ_IO, "...").
  *   text   copied, cut at 1023 bytes; NULL means ""
- * Threads: any. */
+ * Threads: any. GL: none. */
 CLQ_API clq_status clq_report(clq_status status, const char *text);
 
 /* Memory from the host. The threads that call claque and the tasks call both functions, several at once. */

@@ -101,7 +101,9 @@ typedef struct clq_navigation_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_navigation_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+/* Gets what a navigation holds.
+ *   out   made by clq_navigation_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
 CLQ_API clq_status clq_navigation_get_info(const clq_navigation *navigation, clq_navigation_info *out);
 
 /* Opens and closes a door. Ways through a closed door end before it. A walker that stands in one walks out.
@@ -243,7 +245,9 @@ typedef struct clq_walker_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_walker_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT, STALE_ID. */
+/* Gets the state of a walker.
+ *   out   made by clq_walker_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT, STALE_ID. */
 CLQ_API clq_status clq_walkers_get_walker(const clq_walkers *walkers, clq_walker walker, clq_walker_info *out);
 
 /* A piece of the track of a walker, on the clock of the walkers: follow it with start_s 0. */
@@ -254,7 +258,7 @@ typedef struct clq_walker_piece {
 } clq_walker_piece;
 
 /* Moves all walkers on by a tick. Every walker with a locomotion publishes a piece each piece_ticks, at a tick of its
- * own, about what is behind it; what comes is guessed for the steps at its end.
+ * own. The piece holds what the walker has done; only the steps at its end need a guess of what it will do.
  * Fails: ARGUMENT, OUT_OF_MEMORY, CALLBACK (`ground` threw; after both the walkers have moved, and the next step first
  * makes the pieces that are missing, and gives all of both ticks). */
 CLQ_API clq_status clq_walkers_step(clq_walkers *walkers);
@@ -272,7 +276,9 @@ typedef struct clq_walkers_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT. */
+/* Gets the counts of a set of walkers.
+ *   out   made by clq_walkers_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. */
 CLQ_API clq_status clq_walkers_get_info(const clq_walkers *walkers, clq_walkers_info *out);
 
 /* Lets the agents of a stage walk: those whose template has a locomotion in clq_machine_def.locomotions. Walkers are

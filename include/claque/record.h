@@ -103,7 +103,9 @@ typedef struct clq_record_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_record_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+/* Gets what a record holds.
+ *   out   made by clq_record_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
 CLQ_API clq_status clq_record_get_info(const clq_record *record, clq_record_info *out);
 
 /* Gets the definition of the recorded crowd, with which the playing host should create its own. Only the cache, its

@@ -82,7 +82,8 @@ CLQ_DEFINE_ZERO_INIT(clq_shadow_stats)
  * Fails before drawing anything: STRUCT_SIZE, ARGUMENT, GL_STATE (also a stencil bit that the target lacks),
  * GL_MISSING, BUSY, OUT_OF_MEMORY (no room for the mask, which grows with the viewport). Fails after drawing the rest:
  * OUT_OF_MEMORY, as clq_renderer_draw. Fails after drawing a part: CALLBACK (height threw an exception; no later shadow
- * is drawn), GL_MISSING (the context was lost meanwhile). Threads: as clq_renderer_draw. */
+ * is drawn), GL_MISSING (the context was lost meanwhile). Threads: as clq_renderer_draw. GL:
+ * see above. */
 CLQ_API clq_status clq_renderer_draw_shadows(clq_renderer *renderer, clq_view *view, const clq_shadow_def *def,
                                              clq_shadow_stats *out_stats);
 

@@ -84,7 +84,9 @@ typedef struct clq_locomotion_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_locomotion_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+/* Gets what was measured of a set of clips.
+ *   out   made by clq_locomotion_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
 CLQ_API clq_status clq_locomotion_get_info(const clq_locomotion *locomotion, clq_locomotion_info *out);
 
 /* Where a person was at a time. */
@@ -197,7 +199,9 @@ typedef struct clq_track_info {
 
 CLQ_DEFINE_ZERO_INIT(clq_track_info)
 
-/* Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
+/* Gets what a track holds.
+ *   out   made by clq_track_info_init
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: any. */
 CLQ_API clq_status clq_track_get_info(const clq_track *track, clq_track_info *out);
 
 /* A track at one time. */
