@@ -1,4 +1,4 @@
-// From where on close textures are not worth their memory.
+// The distance from which close textures are no longer worth their memory.
 #pragma once
 
 #include "passes/prepared.h"

@@ -1,6 +1,6 @@
-// Images for levels that are shown where several texels of their texture fall on a pixel, of which GL_NEAREST shows one
-// and skips the others, another one in each frame. Each texel gets the mean colour of the texels of its zone around it.
-// Zone keys stay, so zones keep their borders to the pixel.
+// Images for levels that are shown so small that several texels fall on a pixel. GL_NEAREST shows one of these texels,
+// and another one in the next frame, which flickers. In the images made here each texel gets the mean colour of the
+// texels of its zone around it. Zone keys stay, so zones keep their borders to the pixel.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
-// Before the first cull phase: most of a large crowd is far from every view, which 16 bytes of each individual tell.
-// What is left out here would not pass that phase.
+// Coarse bounds, before the first cull phase. Most of a large crowd is far from every view, and a bound of 16 bytes for
+// each individual is enough to find that. Individuals that are dropped here would not pass that phase.
 #include <cstring>
 
 #include "lib/frame/steps.h"
@@ -10,8 +10,8 @@ namespace claque::frame
 namespace
 {
 
-// Moves those that are near to the front, in their order, and returns how many they are. Few are near, so the others
-// are passed over by eights.
+// Moves the rows that are near to the front, in their order, and returns their number. Few are near, so the others are
+// skipped eight at a time.
 uint32_t keep_near(base::Span<uint32_t> tested, const uint8_t *near)
 {
     uint32_t count = 0;
@@ -35,7 +35,7 @@ base::Status CullBounds::check() const
 uint32_t CullBounds::run() const
 {
     if (given.traditional()) return tested.count;
-    constexpr uint32_t ahead = 64;  // bounds come from memory: it is asked for them before they are needed
+    constexpr uint32_t ahead = 64;  // rows: bounds are rarely in a CPU cache, so they are prefetched
     given.for_slices(tested.count, [&](uint32_t i) {
         if (i + ahead < tested.count) __builtin_prefetch(&given.crowd.bound_of(tested[i + ahead]));
         const math::RoughSphere &bound = given.crowd.bound_of(tested[i]);

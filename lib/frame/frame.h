@@ -20,7 +20,7 @@ public:
     void set_step_clock(const HostClock &clock) { work_.step_clock = clock; }
     const StepTimes &step_times() const { return work_.step_times; }
     void forget();  // clears visibility after the crowd's state was replaced; caches detect changed states themselves
-    // Rows that were filled after the last update count as unseen.
+    // A row whose individual was added after the last update is not visible.
     ActorVisibility visibility(const crowd::Crowd &crowd, uint32_t row) const;
     // Where the Skeleton Root of a row was in the world in the last update. False: that update did not see the row.
     bool root_of(const crowd::Crowd &crowd, uint32_t row, crowd::Transform &out) const;
@@ -47,8 +47,8 @@ private:
 };
 
 // One update. time_s: the host's clock; it may jump, also back. What is shown is a function of time and distances.
-//   views   each with its camera; their draw lists are written. Lists of other views may point at freed memory: clear
-//           them
+//   views   each with its camera; their draw lists are written. The lists of other views may point at freed memory
+//           afterwards, so the caller clears them
 // Fails with CLQ_ARGUMENT (a time or camera that is not finite), CLQ_OUT_OF_MEMORY or CLQ_CALLBACK (the ground or a
 // host mechanism threw); lists and results are unchanged then. Never throws. Allocates only when something has grown
 // since the last update.

@@ -1,5 +1,5 @@
 // The values that flow from one step of an update to the next. State that is kept from update to update is indexed by
-// the actor's slot (SeenRows); results of one update are indexed by candidate, from the first cull phase on.
+// the individual's slot (SeenRows). Results of one update are indexed by candidate, from the first cull phase on.
 #pragma once
 
 #include "animcache/caches.h"
@@ -53,14 +53,14 @@ struct ActorVisibility {
     uint32_t level = 0;    // of detail then
 };
 
-// An actor that passed phase 1, as of the last update that it did.
+// What updates keep of an individual that has passed phase 1: as of the last update in which it did.
 struct Row {
     ActorVisibility visibility;   // visible: in the update of that number
     uint64_t update = 0;          // the last that examined this row
     uint32_t generation = 0;      // of the individual that these results belong to
     bool visible_before = false;  // seen in the update before as well
     uint64_t shown_at = 0;        // the last update that gave it a tick; 0: none did
-    uint32_t candidate = 0;
+    uint32_t candidate = 0;       // its index among that update's candidates
 };
 
 struct GroupRow {
@@ -68,7 +68,7 @@ struct GroupRow {
     uint32_t generation = 0;
 };
 
-// One row that passed phase 1 in a view.
+// An individual that passed phase 1 in at least one view of this update. All views have the same candidates.
 struct Candidate {
     uint32_t row = 0;
     uint32_t slot = 0;               // of SeenRows

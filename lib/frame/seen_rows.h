@@ -29,7 +29,7 @@ public:
     uint64_t bytes() const { return base::held_bytes(slots_); }
 
 private:
-    std::pmr::vector<uint32_t> slots_;  // by row; none: not seen yet
+    std::pmr::vector<uint32_t> slots_;  // by row; none: never passed
     uint32_t count_ = 0;
 };
 

@@ -37,15 +37,15 @@ struct NoteGroups {
     const Blocks &blocks;
     base::Span<const uint8_t> block_seen;  // [view][block]
 
-    base::Span<GroupRow> groups;  // [group_count]: of those visible
+    base::Span<GroupRow> groups;  // [group_count]: writes those that a view met
     Stats &stats;
 
     base::Status check() const;
     void run() const;
 };
 
-// Leaves those of the tested rows of which a coarse test cannot say that no view sees them. Traditional mode leaves
-// all.
+// Tests the coarse bound of each row and drops the rows whose bound meets no view. Phase 1 would reject them too.
+// Traditional mode drops none.
 struct CullBounds {
     const Given &given;
 
@@ -67,7 +67,8 @@ struct FollowTracks {
     void run() const;
 };
 
-// Phase 1: tests Refpoint Bspheres. Traditional mode rejects no actor before phase 3.
+// Phase 1: tests Refpoint Bspheres. Before phase 3, traditional mode rejects only actors that their track does not have
+// at this time.
 struct CullRefpoints {
     const Given &given;
     base::Span<const uint32_t> tested;
@@ -91,7 +92,7 @@ struct ListCandidates {
     base::Span<const uint8_t> passed;  // [tested], as CullRefpoints leaves them
     uint32_t considered;               // individuals before the first test, for the statistics
 
-    SeenRows &seen;                    // with room for all that are tested
+    SeenRows &seen;                    // reserved for all rows that are tested
     base::Span<Candidate> candidates;  // as many as passed
     Stats &stats;
 

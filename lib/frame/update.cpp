@@ -70,7 +70,8 @@ public:
     {
     }
 
-    uint32_t find();          // steps 1 and 2, which change nothing: how many individuals passed
+    // Steps 1 and 2, which write only scratch memory. Returns how many individuals passed phase 1.
+    uint32_t find();
     uint32_t unseen() const;  // how many of these have no slot yet
     void choose();
     void show();
@@ -115,7 +116,7 @@ uint32_t UpdateRun::unseen() const
     return count;
 }
 
-// Keeps what find() found. Then steps 3 and 4: Skeleton Roots, second cull phase.
+// Writes the results of find() to what updates keep. Then steps 3 and 4: Skeleton Roots, second cull phase.
 void UpdateRun::cull()
 {
     checked(NoteGroups{given_, work_.blocks, base::Span<const uint8_t>(work_.block_seen),
@@ -192,7 +193,7 @@ void UpdateRun::show()
     checked(CountBands{given_, caches, found(), elapsed_s_, {stats.bands, band_count}}).run();
 }
 
-// Runs what makes room for an update, and says so if there is none.
+// Runs `reserve`, which allocates memory for an update. Returns a status if there is not enough.
 template <class Reserve>
 base::Status reserving(const crowd::Crowd &crowd, const Reserve &reserve)
 {

@@ -1,5 +1,5 @@
-// Which actors entered or left view in the last update. A host that schedules by it is told, and asks of no actor that
-// has not changed. Nothing that is shown depends on it.
+// Which actors entered or left view in the last update. A host that schedules by visibility reads these changes and
+// need not ask about every actor. Nothing that is shown depends on them.
 #pragma once
 
 #include "lib/base/bitmap.h"

@@ -19,9 +19,9 @@ struct Work {
     // Reserves the memory that the first cull phase needs. The last update's results do not depend on what that phase
     // writes.
     void reserve(const crowd::Crowd &crowd, base::Span<View *const> views);
-    // Then all other memory that an update of these views needs, except for palettes and vertices: as much as for the
-    // individuals that passed that phase. `unseen`: of these, those that no earlier update let through. Both throw
-    // std::bad_alloc; draw lists and results are unchanged then.
+    // Then reserves all other memory that an update of these views needs, except for palettes and vertices. `count`:
+    // the individuals that passed that phase. `unseen`: those of them that have no slot, because no earlier update let
+    // them through. Both may throw std::bad_alloc; draw lists and results are unchanged then.
     void reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const> views, uint32_t count, uint32_t unseen);
     // Begins an update. Until its poses are evaluated, undo() puts back what the last one left.
     void begin(const crowd::Crowd &crowd);
@@ -47,11 +47,11 @@ struct Work {
     StepTimes step_times;      // for hosts, of the last update
 
     // Of one update. Arrays have the maximum size; steps return how much of them they filled.
-    std::pmr::vector<CameraState> eyes;    // one per view
-    std::pmr::vector<uint8_t> block_seen;  // [view][block]
-    std::pmr::vector<uint32_t> tested;  // rows that are not culled with their group in every view; then those near one
+    std::pmr::vector<CameraState> eyes;       // one per view
+    std::pmr::vector<uint8_t> block_seen;     // [view][block]
+    std::pmr::vector<uint32_t> tested;        // rows left by CullGroups, then those left by CullBounds
     std::pmr::vector<track::Motion> motions;  // by slot of Follows
-    std::pmr::vector<uint8_t> passed;         // [tested]
+    std::pmr::vector<uint8_t> passed;         // [tested]; also scratch of CullBounds and MakeRequests
     std::pmr::vector<Candidate> candidates;
     std::pmr::vector<ViewVisibility> visibilities;  // [view][candidate]
     std::pmr::vector<uint32_t> visible;             // candidates drawn in some view
