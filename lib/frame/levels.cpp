@@ -34,7 +34,7 @@ uint32_t ChooseLevels::level_of(const Row &row, uint32_t crowd_row, float effect
     return std::min(row.visibility.level, level_at(tmpl, effective_distance_m / (1 - hysteresis)));
 }
 
-// World units a second: of what the host moves, the track and the root path. They are added, so it may be too high.
+// World units a second: an upper bound, the sum of the speeds of the actor, its group, its track and its root path.
 double ChooseLevels::speed_of(const Candidate &candidate) const
 {
     const crowd::Crowd &crowd = given.crowd;

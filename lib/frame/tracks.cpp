@@ -1,5 +1,5 @@
-// Before the first cull phase: where tracks have the actors that follow one. Tracks lie all over the memory, so each is
-// read once in an update.
+// Before the first cull phase: evaluates the tracks that actors follow. Tracks are scattered in memory, so each is read
+// once in an update.
 #include "lib/frame/steps.h"
 
 namespace claque::frame

@@ -1,5 +1,5 @@
-// Which actors entered or left view in the last update. A host that schedules by visibility reads these changes and
-// need not ask about every actor. Nothing that is shown depends on them.
+// Which actors entered or left view in the last update, and which were new in it. A host that schedules by visibility
+// reads these changes and need not ask about every actor. Nothing that is shown depends on them.
 #pragma once
 
 #include "lib/base/bitmap.h"
@@ -20,7 +20,7 @@ public:
     // Ends an update. `visible`: of the candidates, those that a view saw.
     void note(const crowd::Crowd &crowd, base::Span<const Candidate> candidates,
               base::Span<const uint32_t> visible) noexcept;
-    void forget() noexcept;  // the next update tells of every actor
+    void forget() noexcept;  // the next update reports every actor
 
     // Body: f(row, in_view). Of actors that exist now, in the order of their rows.
     template <class Body>
