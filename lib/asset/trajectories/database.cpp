@@ -45,7 +45,7 @@ int count_down(void *left) { return --*static_cast<int64_t *>(left) < 0; }
 
 }  // namespace
 
-Database::Database(const uint8_t *bytes, size_t size) : size_(size)
+Database::Database(const uint8_t *bytes, size_t size)
 {
     if (size > 20 && bytes[18] == 2)
         fail(CLQ_UNSUPPORTED, "the database is in WAL mode: change it with sqlite3 FILE 'PRAGMA journal_mode=DELETE'");
@@ -79,11 +79,7 @@ Database::~Database() { sqlite3_close(handle_); }
 
 void Database::refuse(int code)
 {
-    if (code == SQLITE_NOMEM) {
-        // SQLite also says so of lengths in damaged pages. Where there is room for the file once more, those are it.
-        std::vector<uint8_t>(size_ + 65536);
-        fail(CLQ_FORMAT, "the database asks for more memory than its %zu bytes can hold: it is damaged", size_);
-    }
+    if (code == SQLITE_NOMEM) throw std::bad_alloc();
     if (code == SQLITE_INTERRUPT) fail(CLQ_FORMAT, "the database takes more steps than its size allows: it is damaged");
     fail(CLQ_FORMAT, "the database cannot be read: %.300s", sqlite3_errmsg(handle_));
 }
@@ -107,7 +103,7 @@ bool Database::has_column(const char *table, const char *column)
 {
     const int found =
         sqlite3_table_column_metadata(handle_, "main", table, column, nullptr, nullptr, nullptr, nullptr, nullptr);
-    if (found == SQLITE_NOMEM) refuse(found);
+    if (found == SQLITE_NOMEM) throw std::bad_alloc();
     return found == SQLITE_OK;
 }
 

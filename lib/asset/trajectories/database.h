@@ -31,7 +31,6 @@ private:
     friend class Query;
     [[noreturn]] void refuse(int code);
     sqlite3 *handle_ = nullptr;
-    size_t size_;             // of the file
     int64_t calls_left_ = 0;  // of SQLite's progress handler
 };
 
