@@ -56,6 +56,32 @@ void read_attached(Reader &in, Crowd &out)
     });
 }
 
+// Compares what is written with what was read.
+class ComparingSink : public base::Sink
+{
+public:
+    ComparingSink(const uint8_t *wanted, size_t size) : wanted_(wanted), size_(size) {}
+    void take(const uint8_t *bytes, size_t count) override
+    {
+        for (size_t i = 0; i < count; ++i, ++at_)
+            if (at_ == size_ || bytes[i] != wanted_[at_])
+                fail(CLQ_FORMAT, "byte %zu of the saved crowd is none that saving this crowd would write", at_);
+    }
+    bool complete() const { return at_ == size_; }
+
+private:
+    const uint8_t *wanted_;
+    size_t size_, at_ = 0;
+};
+
+// Equal crowds have equal bytes, so bytes of a crowd that saves as others hold a state that no call leaves.
+void require_same_bytes(const uint8_t *bytes, size_t size, const Crowd &restored)
+{
+    ComparingSink sink(bytes, size);
+    save_contents(restored, sink);
+    if (!sink.complete()) fail(CLQ_FORMAT, "the saved crowd has more bytes than saving this crowd would write");
+}
+
 }  // namespace
 
 const model::Template *template_at(const Tables &tables, uint32_t index)
@@ -86,6 +112,7 @@ void restore(const uint8_t *bytes, size_t size, Resolver &resolver, Crowd &out)
     for (uint32_t row = 0; row < out.row_count(); ++row)
         if (out.alive(row)) measure(out, row);
     in.end();
+    require_same_bytes(bytes + base::file_header_bytes, size - base::file_header_bytes, out);
 }
 
 }  // namespace claque::crowd

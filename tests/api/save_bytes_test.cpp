@@ -63,7 +63,7 @@ TEST_F(SaveBytes, ForgedBytesAreRefusedOrGiveACrowdThatWorks)
     const Bytes bytes = saved::save(crowd_);
     uint32_t taken = 0, refused_count = 0;
     for (size_t at = saved::header_bytes; at < bytes.size(); ++at)
-        for (const uint8_t value : {0x00, 0x01, 0x7f, 0xff}) {
+        for (const uint8_t value : {0x00, 0x01, 0x7f, 0x80, 0xff}) {
             Bytes other = bytes;
             if (other[at] == value) continue;
             other[at] = value;
@@ -77,6 +77,7 @@ TEST_F(SaveBytes, ForgedBytesAreRefusedOrGiveACrowdThatWorks)
                 continue;
             }
             ++taken;
+            ASSERT_EQ(saved::save(crowd_), other) << at;
             for (const double time_s : {0.6, 0.95})
                 ASSERT_EQ(clq_crowd_update(crowd_, time_s, &view, 1), CLQ_OK) << at << clq_last_error();
             const Bytes again = saved::save(crowd_);
