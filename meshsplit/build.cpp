@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
+#include "lib/model/template_check.h"
 #include "meshsplit/allowance.h"
 #include "meshsplit/blend_reach.h"
 #include "meshsplit/charges.h"
@@ -244,6 +245,7 @@ void build(const model::Model &model, const BuildOptions &options, model::Templa
     if (!found) bound_by_lengths(key_extents(out.rig), out);
     find_blend_reach(extents, out);
     inflate(more, out);
+    model::check_spheres(out);
 }
 
 }  // namespace claque::meshsplit

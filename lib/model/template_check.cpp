@@ -1,5 +1,7 @@
 #include "lib/model/template_check.h"
 
+#include <cmath>
+
 #include "lib/base/error.h"
 #include "lib/model/level_check.h"
 
@@ -63,27 +65,37 @@ void check_texture(const Template &tmpl, const Texture &texture, size_t index)
     for (const TextureImage &other : texture.set_images) check_image(other, known, index);
 }
 
-void check_spheres(const Template &tmpl)
+bool good_reach(float a, float b) { return std::isfinite(a) && std::isfinite(b) && a >= 0 && b >= 0; }
+
+void check_reach(const Rig &rig, size_t node, float a, float b)
 {
-    require_finite(&tmpl.sklsroot.centre.x, 3, "centre of the Sklsroot Bsphere");
-    require_finite(&tmpl.sklsroot.radius, 1, "radius of the Sklsroot Bsphere");
-    if (tmpl.sklsroot.radius < 0) fail(CLQ_ARGUMENT, "a Sklsroot Bsphere of negative radius");
-    if (!tmpl.node_reach.empty()) require_count(tmpl.node_reach.size(), tmpl.rig.node_count(), "reaches of nodes");
-    for (const NodeReach &reach : tmpl.node_reach) {
-        require_finite(&reach.distance, 2, "reach of a node");
-        if (reach.distance < 0 || reach.scale < 0) fail(CLQ_ARGUMENT, "a node with a negative reach");
-    }
-    if (!tmpl.blend_reach.empty())
-        require_count(tmpl.blend_reach.size(), tmpl.rig.node_count(), "reaches of blended nodes");
-    const auto check_bound = [](const AdditiveBound &bound) {
-        require_finite(&bound.base, 2, "reach of blended poses");
-        if (bound.base < 0 || bound.per_weight < 0) fail(CLQ_ARGUMENT, "a negative reach of blended poses");
-    };
-    check_bound(tmpl.blend_radius);
-    for (const BlendReach &reach : tmpl.blend_reach) check_bound(reach.distance), check_bound(reach.scale);
+    if (!good_reach(a, b))
+        fail(CLQ_ARGUMENT, "node %zu '%s' reaches %g m and %g: both have to be finite and at least 0", node,
+             node < rig.node_names.size() ? rig.node_names[node].c_str() : "", double(a), double(b));
 }
 
 }  // namespace
+
+void check_spheres(const Template &tmpl)
+{
+    const Sphere &sklsroot = tmpl.sklsroot;
+    require_finite(&sklsroot.centre.x, 3, "centre of the Sklsroot Bsphere");
+    if (!good_reach(sklsroot.radius, 0))
+        fail(CLQ_ARGUMENT, "the Sklsroot Bsphere has a radius of %g m: it has to be finite and at least 0",
+             double(sklsroot.radius));
+    if (!tmpl.node_reach.empty()) require_count(tmpl.node_reach.size(), tmpl.rig.node_count(), "reaches of nodes");
+    for (size_t i = 0; i < tmpl.node_reach.size(); ++i)
+        check_reach(tmpl.rig, i, tmpl.node_reach[i].distance, tmpl.node_reach[i].scale);
+    if (!good_reach(tmpl.blend_radius.base, tmpl.blend_radius.per_weight))
+        fail(CLQ_ARGUMENT,
+             "blended poses have a radius of %g m and %g m per weight: both have to be finite and at least 0",
+             double(tmpl.blend_radius.base), double(tmpl.blend_radius.per_weight));
+    if (!tmpl.blend_reach.empty())
+        require_count(tmpl.blend_reach.size(), tmpl.rig.node_count(), "reaches of blended nodes");
+    for (size_t i = 0; i < tmpl.blend_reach.size(); ++i)
+        for (const AdditiveBound &bound : {tmpl.blend_reach[i].distance, tmpl.blend_reach[i].scale})
+            check_reach(tmpl.rig, i, bound.base, bound.per_weight);
+}
 
 void check(const Template &tmpl)
 {

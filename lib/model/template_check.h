@@ -9,4 +9,8 @@ namespace claque::model
 // Throws base::Error (CLQ_ARGUMENT) that names the first broken rule.
 void check(const Template &tmpl);
 
+// The Sklsroot Bsphere and the reaches of nodes, of which check() is one part: a character whose poses grow without
+// bound has none.
+void check_spheres(const Template &tmpl);
+
 }  // namespace claque::model

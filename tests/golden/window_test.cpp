@@ -1,5 +1,7 @@
 // Compares the window of claque view with an accepted picture, pixel for pixel, drawn by softpipe. Panels are drawn by
-// Dear ImGui: another one draws others, and another Mesa rounds edges differently, so neither is compared.
+// Dear ImGui: another one draws others, and another Mesa rounds edges differently, so neither is compared. The edges of
+// ImGui's lines may differ by one step of 255 in a few pixels: it takes their normals from the instruction rsqrtss,
+// whose last bits differ between makers of processors (104 pixels between an Intel and an AMD processor).
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -44,8 +46,9 @@ TEST(GoldenWindow, IsAsItWasAccepted)
     const Picture expected = read_picture(GOLDEN_DIR "/window.png"), actual = read_picture(actual_path);
     const Difference difference = compare(expected, actual);
     if (difference.pixels) write_difference(OUTPUT_DIR "/window-difference.pgm", expected, actual);
-    EXPECT_EQ(difference.pixels, 0u) << "largest difference " << difference.most << "; see " << actual_path
-                                     << ". If the change is meant: make golden-accept";
+    EXPECT_LE(difference.most, 1) << "see " << actual_path << ". If the change is meant: make golden-accept";
+    EXPECT_LE(difference.pixels, 400u) << "largest difference " << difference.most << "; see " << actual_path
+                                       << ". If the change is meant: make golden-accept";
 }
 
 }  // namespace

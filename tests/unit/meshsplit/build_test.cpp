@@ -153,4 +153,18 @@ TEST(Build, SaysWhetherNormalsMayFollowThePaletteItself)
     EXPECT_FALSE(built(m)->similar_only);
 }
 
+// Such a template could be saved but not loaded again.
+TEST(Build, RefusesPosesThatNoSphereHolds)
+{
+    model::Model m = torture(2, 1, 1);
+    for (math::Trs &trs : m.rig.rest) trs.scale = glm::vec3(3e38f);
+    try {
+        built(m);
+        FAIL() << "built";
+    } catch (const base::Error &error) {
+        EXPECT_EQ(error.status(), CLQ_ARGUMENT);
+        EXPECT_NE(std::string(error.what()).find("has to be finite"), std::string::npos) << error.what();
+    }
+}
+
 }  // namespace claque::test
