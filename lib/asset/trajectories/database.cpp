@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "lib/asset/decoders.h"
 #include "lib/base/error.h"
@@ -45,7 +46,7 @@ int count_down(void *left) { return --*static_cast<int64_t *>(left) < 0; }
 
 }  // namespace
 
-Database::Database(const uint8_t *bytes, size_t size)
+Database::Database(const uint8_t *bytes, size_t size) : size_(size)
 {
     if (size > 20 && bytes[18] == 2)
         fail(CLQ_UNSUPPORTED, "the database is in WAL mode: change it with sqlite3 FILE 'PRAGMA journal_mode=DELETE'");
@@ -77,9 +78,25 @@ Database::Database(const uint8_t *bytes, size_t size)
 
 Database::~Database() { sqlite3_close(handle_); }
 
+// SQLite says that it lacks memory also of lengths in damaged pages. Those it meets again, where there is room for the
+// whole file once more.
+bool Database::is_damaged()
+{
+    std::vector<uint8_t> room(size_ + 65536);
+    room[0] = 1;
+    const auto compare = [](void *, int, char **row, char **) {
+        return int(!row[0] || std::strcmp(row[0], "ok") != 0);
+    };
+    sqlite3_set_authorizer(handle_, nullptr, nullptr);
+    return sqlite3_exec(handle_, "PRAGMA quick_check", compare, nullptr, nullptr) != SQLITE_OK;
+}
+
 void Database::refuse(int code)
 {
-    if (code == SQLITE_NOMEM) throw std::bad_alloc();
+    if (code == SQLITE_NOMEM) {
+        if (!is_damaged()) throw std::bad_alloc();
+        fail(CLQ_FORMAT, "the database is damaged: its %zu bytes describe values that are longer", size_);
+    }
     if (code == SQLITE_INTERRUPT) fail(CLQ_FORMAT, "the database takes more steps than its size allows: it is damaged");
     fail(CLQ_FORMAT, "the database cannot be read: %.300s", sqlite3_errmsg(handle_));
 }
@@ -103,7 +120,7 @@ bool Database::has_column(const char *table, const char *column)
 {
     const int found =
         sqlite3_table_column_metadata(handle_, "main", table, column, nullptr, nullptr, nullptr, nullptr, nullptr);
-    if (found == SQLITE_NOMEM) throw std::bad_alloc();
+    if (found == SQLITE_NOMEM) refuse(found);
     return found == SQLITE_OK;
 }
 
@@ -149,7 +166,7 @@ std::string_view Query::text(int column) const
 {
     const auto *text = reinterpret_cast<const char *>(sqlite3_column_text(statement_, column));
     // NULL for an empty value, and where a conversion had no memory.
-    if (!text && sqlite3_errcode(database_.handle_) == SQLITE_NOMEM) throw std::bad_alloc();
+    if (!text && sqlite3_errcode(database_.handle_) == SQLITE_NOMEM) database_.refuse(SQLITE_NOMEM);
     return text ? std::string_view(text, static_cast<size_t>(sqlite3_column_bytes(statement_, column)))
                 : std::string_view();
 }

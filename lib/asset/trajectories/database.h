@@ -30,7 +30,9 @@ public:
 private:
     friend class Query;
     [[noreturn]] void refuse(int code);
+    bool is_damaged();
     sqlite3 *handle_ = nullptr;
+    size_t size_ = 0;         // of the file
     int64_t calls_left_ = 0;  // of SQLite's progress handler
 };
 
