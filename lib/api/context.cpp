@@ -82,7 +82,10 @@ clq_status clq_context_destroy(clq_context *context)
         if (!context) return;
         const uint32_t children = context->children;
         if (children)
-            base::fail(CLQ_IN_USE, "%u templates, crowds, colour maps or renderers made from it still exist", children);
+            base::fail(
+                CLQ_IN_USE,
+                "%u templates, locomotions, tracks, crowds, records, colour maps or renderers made from it still exist",
+                children);
         const clq_allocator allocator = context->allocator;
         context->~clq_context();
         base::release_to(allocator, context, sizeof(clq_context), alignof(clq_context));

@@ -19,7 +19,7 @@ struct clq_context {
     claque::base::HostMemory memory;
     claque::base::Jobs jobs;
     claque::base::Log log;
-    std::atomic<uint32_t> children{0};  // existing templates, crowds and renderers
+    std::atomic<uint32_t> children{0};  // objects made from it that still exist
 };
 
 // A split character with a reference count: one for the host, one for each crowd and renderer that uses it.

@@ -66,6 +66,35 @@ TEST_F(WalkersCache, ShowACommandThatIsGivenAtTheTimeShown)
     EXPECT_EQ(story(CLQ_CACHE_FULL), story(CLQ_CACHE_NONE));
 }
 
+// A key-pose is of one clip alone (S3 4): a walker blends gaits and its feet are held, so it shows poses of its own. A
+// person that plays one clip shows key-poses.
+TEST_F(WalkersCache, ShowNoKeyPosesWhereverTheyStep)
+{
+    const auto story = [&](clq_key_pose_mode mode, bool on_track) {
+        clq_crowd_def def = clq_crowd_def_init();
+        if (mode != CLQ_KEY_POSE_INDIVIDUAL) def.key_poses.bands[0] = {0, mode}, def.key_poses.band_count = 1;
+        clq_crowd *crowd = this->crowd(&def);
+        clq_view *view = this->view(crowd, 9);
+        if (on_track) {
+            walker(crowd, track(1.2, 0));
+        } else {
+            clq_actor_def one = clq_actor_def_init();
+            one.tmpl = citizen_, one.play = clip("walk", 0);
+            clq_actor made;
+            EXPECT_EQ(clq_actor_create(crowd, &one, &made), CLQ_OK) << clq_last_error();
+        }
+        std::vector<uint64_t> out;
+        for (double t = 1; t < 6; t += 0.21) out.push_back(shown(crowd, view, t));
+        return out;
+    };
+    const std::vector<uint64_t> walks = story(CLQ_KEY_POSE_INDIVIDUAL, true),
+                                plays = story(CLQ_KEY_POSE_INDIVIDUAL, false);
+    for (const clq_key_pose_mode mode : {CLQ_KEY_POSE_INTERMITTENT, CLQ_KEY_POSE_INTERPOLATED}) {
+        EXPECT_EQ(story(mode, true), walks) << mode;
+        EXPECT_NE(story(mode, false), plays) << mode;
+    }
+}
+
 // The tick of a pose that is no function of ticks is 0, as is the tick at time 0.
 TEST_F(WalkersCache, ShowTimeZeroAfterLaterTimes)
 {

@@ -1,6 +1,4 @@
 // The flags of this project round wherever the language says so, in code that is compiled as the library is.
-#include <array>
-
 #include <gtest/gtest.h>
 
 namespace claque::test
@@ -10,26 +8,29 @@ namespace
 {
 
 // Neighbours invite a compiler to convert them as one vector.
-__attribute__((noinline)) std::array<double, 4> through_floats(const std::array<double, 4> &values)
+__attribute__((noinline)) void pair_through_floats(const double *in, double *out)
 {
-    const std::array<float, 4> floats = {float(values[0]), float(values[1]), float(values[2]), float(values[3])};
-    return {floats[0], floats[1], floats[2], floats[3]};
+    const float a = float(in[0]), b = float(in[1]);
+    out[0] = a, out[1] = b;
 }
 
-__attribute__((noinline)) std::array<double, 2> pair_through_floats(double a, double b)
+__attribute__((noinline)) void four_through_floats(const double *in, double *out)
 {
-    const float x = float(a), y = float(b);
-    return {x, y};
+    const float a = float(in[0]), b = float(in[1]), c = float(in[2]), d = float(in[3]);
+    out[0] = a, out[1] = b, out[2] = c, out[3] = d;
 }
 
 }  // namespace
 
 TEST(Rounding, DoublesThatBecomeFloatsAndThenDoublesAreRounded)
 {
-    const std::array<double, 4> values = {1 / 3.0, 1 / 7.0, 1 / 11.0, 1 / 13.0};
-    const std::array<double, 4> four = through_floats(values);
-    const std::array<double, 2> two = pair_through_floats(values[0], values[1]);
-    for (size_t i = 0; i < values.size(); ++i) {
+    double values[4], two[2], four[4];
+    for (int i = 0; i < 4; ++i) {
+        volatile double unknown = 1.0 / (3 + 2 * i);  // to the compiler
+        values[i] = unknown;
+    }
+    pair_through_floats(values, two), four_through_floats(values, four);
+    for (int i = 0; i < 4; ++i) {
         volatile float rounded = float(values[i]);
         EXPECT_EQ(four[i], double(rounded)) << i;
         if (i < 2) {
