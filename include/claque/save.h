@@ -24,7 +24,7 @@ extern "C" {
 CLQ_API clq_status clq_crowd_save(const clq_crowd *crowd, clq_write_function write, void *user);
 
 /* Replaces the whole state of a crowd by one that clq_crowd_save wrote, from this crowd or from another one. The bytes
- * may be anything: a file that is cut off, changed or of another version fails with FORMAT.
+ * may be anything: a file that is cut off, changed, of another version or of no state of a crowd fails with FORMAT.
  *   bytes       [size_bytes], not kept
  *   templates   [template_count], each once. For every template that the saved crowd ever used they must contain one of
  *               the same name and structure (nodes, degrees of freedom, clips, zones, levels); textures may differ. The
