@@ -111,6 +111,7 @@ bench: build
 	@cmake --build --preset $(PRESET) -j $(JOBS) --target claque_benchmarks
 	$(BUILD)/tests/bench/claque_micro_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_impostor_bench
+	$(BUILD)/tests/bench/claque_draw_bench
 	$(BUILD)/tests/bench/claque_startup_bench --benchmark_repetitions=3 --benchmark_report_aggregates_only=true
 	$(BUILD)/tests/bench/claque_stage_bench
 	$(BUILD)/tests/bench/claque_neighbours_bench

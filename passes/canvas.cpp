@@ -203,7 +203,7 @@ void Canvas::bind_vertices(const Individual &individual)
     gl_.TexCoordPointer(2, gl::real, 0, individual.level->uvs.data());
     ++stats_.individuals;
     stats_.parts += count_of(individual.parts);
-    const bool copies = individual.prepared->strategy == Strategy::fused && !individual.close;
+    const bool copies = individual.prepared->strategy == Strategy::fused && !individual.close && !individual.one_colour;
     stats_.vertices += copies ? individual.level->vertex_count : individual.level->source_count;
     stats_.close_individuals += individual.close != nullptr;
 }
@@ -261,11 +261,11 @@ void Canvas::triangles(const Individual &individual, const IndexSlice &slice)
     send(individual, slice, {individual.ready->short_indices, individual.level->indices});
 }
 
-void Canvas::close_triangles(const Individual &individual, uint32_t surface_index)
+void Canvas::plain_triangles(const Individual &individual, uint32_t surface_index)
 {
-    const CloseLevel &close = individual.ready->close;
-    const uint32_t *firsts = close.firsts.data() + size_t(surface_index) * (part_count_of(*individual.level) + 1);
-    send(individual, {close.ranges[surface_index], firsts}, {close.short_indices, close.indices});
+    const PlainLevel &plain = individual.ready->plain;
+    const uint32_t *firsts = plain.firsts.data() + size_t(surface_index) * (part_count_of(*individual.level) + 1);
+    send(individual, {plain.ranges[surface_index], firsts}, {plain.short_indices, plain.indices});
 }
 
 void Canvas::send(const Individual &individual, const IndexSlice &slice, const Indices &indices)

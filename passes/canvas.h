@@ -67,6 +67,7 @@ struct Individual {
     uint64_t parts = 0;               // parts of the level to draw now; only existing ones
     const uint32_t *own = nullptr;    // the texture that the host bound in place of the template's, or null
     const uint32_t *close = nullptr;  // textures of its own, one for each surface of the item's level, or null
+    bool one_colour = false;          // all its zones have one colour, and its level has a plain form
 
     bool whole() const { return parts == every_part_of(*level); }
 };
@@ -112,7 +113,7 @@ public:
 
     // One call if all parts are drawn, else one for each run of neighbouring parts.
     void triangles(const Individual &individual, const IndexSlice &slice);
-    void close_triangles(const Individual &individual, uint32_t surface_index);
+    void plain_triangles(const Individual &individual, uint32_t surface_index);
 
 private:
     struct Indices {

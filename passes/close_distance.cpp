@@ -135,7 +135,7 @@ uint32_t level_at(const model::Template &tmpl, float distance_m)
 
 float close_difference(const PreparedTemplate &prepared, uint32_t level, float distance_m)
 {
-    if (prepared.levels[level].close.empty()) return 0;
+    if (!prepared.levels[level].shows_close) return 0;
     return static_cast<float>(Measure(prepared).difference(level, distance_m));
 }
 
@@ -146,7 +146,7 @@ float close_distance(const PreparedTemplate &prepared)
     float least_at = 0, below_at = 0;
     for (float at = nearest_m; at <= farthest_m; at *= step) {
         const uint32_t level = level_at(*prepared.source, at);
-        if (prepared.levels[level].close.empty()) break;
+        if (!prepared.levels[level].shows_close) break;
         const double here = measure.difference(level, at);
         if (here < least) least = here, least_at = at;
         if (here < target) below_at = at;

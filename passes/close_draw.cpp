@@ -17,7 +17,7 @@ void draw_close(Canvas &canvas, const Individual &individual)
             state.alpha_function = gl::gequal, state.alpha_reference = 0.5f;
         canvas.apply(state);
         if (i == 0) canvas.use_own_colours(individual);  // alike for all surfaces
-        canvas.close_triangles(individual, i);
+        canvas.plain_triangles(individual, i);
     }
 }
 

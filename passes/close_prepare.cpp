@@ -29,7 +29,7 @@ public:
     {
         for (uint32_t i = 0; i < source_.textures.size(); ++i) prepare_texture(i);
         for (size_t i = 0; i < out_.levels.size(); ++i) prepare_level(out_.levels[i], source_.levels[i]);
-        const auto shows = [](const PreparedLevel &level) { return !level.close.empty(); };
+        const auto shows = [](const PreparedLevel &level) { return level.shows_close; };
         if (std::none_of(out_.levels.begin(), out_.levels.end(), shows)) return;
         out_.close_distance_m = options_.close_distance_m > 0 ? options_.close_distance_m : close_distance(out_);
     }
@@ -105,25 +105,7 @@ private:
     void prepare_level(PreparedLevel &out, const model::Level &level) const
     {
         const auto has_none = [&](const model::Surface &s) { return out_.textures[s.texture].close.empty(); };
-        if (out.batched || std::any_of(level.surfaces.begin(), level.surfaces.end(), has_none)) return;
-        Array<uint32_t> indices(memory_);
-        for (const model::Surface &surface : level.surfaces) {
-            const uint32_t first = static_cast<uint32_t>(indices.size());
-            const auto add = [&](model::IndexRange share) {
-                const auto from = level.indices.begin() + std::ptrdiff_t(share.first);
-                indices.insert(indices.end(), from, from + std::ptrdiff_t(share.count));
-            };
-            const IndexSlices slices(level, surface);
-            for (uint32_t part = 0; part < part_count_of(level); ++part) {
-                out.close.firsts.push_back(static_cast<uint32_t>(indices.size()) - first);
-                for (size_t bin = 0; bin < surface.clean.size(); ++bin) add(part_of(slices.clean(bin), part));
-                add(part_of(slices.dirty(), part));
-            }
-            out.close.firsts.push_back(static_cast<uint32_t>(indices.size()) - first);
-            out.close.ranges.push_back({first, static_cast<uint32_t>(indices.size()) - first});
-        }
-        if (out.short_indices.empty()) out.close.indices = std::move(indices);
-        else out.close.short_indices.assign(indices.begin(), indices.end());
+        out.shows_close = !out.plain.empty() && std::none_of(level.surfaces.begin(), level.surfaces.end(), has_none);
     }
 
     PreparedTemplate &out_;

@@ -47,7 +47,7 @@ void CloseTextures::find_wishes(const Array<PreparedTemplate> &templates, const 
         if (item.hooks || !shows(item) || !(item.vertices.any() || item.locals)) continue;
         if (!prepared || prepared->source != item.tmpl) prepared = find(templates, item.tmpl);
         const float at = item.eye_distance_m * list.distance_scale + list.min_distance_m;
-        if (!prepared->levels[item.level].close.empty() && at < prepared->close_distance_m)
+        if (prepared->levels[item.level].shows_close && at < prepared->close_distance_m)
             wishes_.push_back({item.eye_distance_m, i});
     }
     std::sort(wishes_.begin(), wishes_.end());

@@ -5,6 +5,7 @@
 #include "passes/guard.h"
 #include "passes/hook_frame.h"
 #include "passes/matrix_walk.h"
+#include "passes/plain.h"
 #include "passes/strategies.h"
 
 namespace claque::passes
@@ -102,6 +103,8 @@ bool ListDrawer::make(size_t item_index, Individual &individual) const
     individual.parts = item.parts & every_part_of(*individual.level);
     individual.own = nullptr;
     individual.close = close_.of(item_index);
+    individual.one_colour = individual.prepared->strategy != Strategy::per_zone && !individual.ready->plain.empty() &&
+                            individual.ready->filtered.empty() && one_colour(*individual.prepared, individual.zone_rgb);
     individual.vertices = item.vertices;
     if (item.locals) {
         individual.vertices = draw::Vertices();

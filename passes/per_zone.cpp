@@ -44,6 +44,7 @@ void draw_per_zone(Canvas &canvas, const Individual &individual)
 void draw_parts(Canvas &canvas, const Individual &individual)
 {
     if (individual.close) return draw_close(canvas, individual);
+    if (individual.one_colour) return draw_plain(canvas, individual);
     switch (individual.prepared->strategy) {
         case Strategy::fused:
             return draw_fused(canvas, individual);

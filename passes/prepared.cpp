@@ -8,6 +8,7 @@
 #include "passes/flat.h"
 #include "passes/linear_clean.h"
 #include "passes/parts.h"
+#include "passes/plain.h"
 #include "passes/smooth_levels.h"
 
 namespace claque::passes
@@ -185,6 +186,7 @@ base::Status prepare_without_gl(PreparedTemplate &out, const model::Template &so
         if (options.linear_clean && !ready.batched) prepare_linear_clean(ready, source, level, step);
         if (&level == &source.levels[0]) out.step = step;
         prepare_ranges(ready, ready.drawn(level));
+        prepare_plain(ready, level);
         prepare_shadow(ready, level);
     }
     prepare_placement(out);

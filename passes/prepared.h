@@ -91,9 +91,9 @@ struct FlatLevel {
     }
 };
 
-// A level for close textures: every triangle once, by source vertices; empty if it never shows one.
-struct CloseLevel {
-    explicit CloseLevel(std::pmr::memory_resource *memory)
+// A level without zones (plain.h): every triangle once, by source vertices; empty if it is batched.
+struct PlainLevel {
+    explicit PlainLevel(std::pmr::memory_resource *memory)
         : short_indices(memory), indices(memory), ranges(memory), firsts(memory)
     {
     }
@@ -119,7 +119,7 @@ struct PreparedLevel {
           smooth(memory),
           shadow_indices(memory),
           shadow_firsts(memory),
-          close(memory)
+          plain(memory)
     {
     }
     Array<uint16_t> short_indices;               // as model::Level::indices; empty: those are used
@@ -144,7 +144,8 @@ struct PreparedLevel {
     Array<uint32_t> shadow_indices;  // every triangle once, part by part, by source vertices: see ShadowDrawer
     Array<uint32_t> shadow_firsts;   // where each part begins, and the end
 
-    CloseLevel close;
+    PlainLevel plain;
+    bool shows_close = false;  // individuals may show close textures
 };
 
 struct PreparedTemplate {

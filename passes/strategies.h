@@ -23,6 +23,10 @@ void draw_clean(Canvas &canvas, const Individual &individual, uint32_t surface_i
 // Whatever the strategy: one draw per surface with the individual's own texture, which has the colours of its zones.
 void draw_close(Canvas &canvas, const Individual &individual);
 
+// One draw per surface for an individual whose zones all have one colour, so that no texel needs a test. In place of
+// the fused and binned strategies; per-zone stays the papers' way.
+void draw_plain(Canvas &canvas, const Individual &individual);
+
 // Draws with the strategy for which the template was prepared.
 void draw_parts(Canvas &canvas, const Individual &individual);
 

@@ -43,18 +43,19 @@ void TextbookPose::pose(Blend blend, float time_s, float other_s, glm::mat4 *pal
 
 void textbook_skin(const model::Level &level, const glm::mat4 *palette, float *out)
 {
-    const uint32_t influences = level.runs[0].influences;
-    for (uint32_t v = 0; v < level.vertex_count; ++v) {
-        const float *p = level.positions.data() + 3 * v, *n = level.normals.data() + 3 * v;
-        glm::vec4 position(0), normal(0);
-        for (uint32_t i = 0; i < influences; ++i) {
-            const glm::mat4 &m = palette[level.joints[v * influences + i]];
-            const float w = level.weights[v * influences + i];
-            position += w * (m * glm::vec4(p[0], p[1], p[2], 1));
-            normal += w * (m * glm::vec4(n[0], n[1], n[2], 0));
+    for (const model::InfluenceRun &run : level.runs)
+        for (uint32_t v = run.first; v < run.first + run.count; ++v) {
+            const float *p = level.positions.data() + 3 * v, *n = level.normals.data() + 3 * v;
+            const uint32_t first = run.first_influence + (v - run.first) * run.influences;
+            glm::vec4 position(0), normal(0);
+            for (uint32_t i = first; i < first + run.influences; ++i) {
+                const glm::mat4 &m = palette[level.joints[i]];
+                const float w = level.weights[i];
+                position += w * (m * glm::vec4(p[0], p[1], p[2], 1));
+                normal += w * (m * glm::vec4(n[0], n[1], n[2], 0));
+            }
+            for (int k = 0; k < 3; ++k) out[3 * v + k] = position[k], out[3 * (level.source_count + v) + k] = normal[k];
         }
-        for (int k = 0; k < 3; ++k) out[3 * v + k] = position[k], out[3 * (level.vertex_count + v) + k] = normal[k];
-    }
 }
 
 }  // namespace claque::bench

@@ -35,7 +35,7 @@ private:
     std::vector<glm::mat4> globals_, binds_;
 };
 
-// out: three numbers per vertex of positions, then of normals.
+// out: three numbers per source vertex of positions, then of normals.
 void textbook_skin(const model::Level &level, const glm::mat4 *palette, float *out);
 
 }  // namespace claque::bench
