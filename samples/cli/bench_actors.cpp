@@ -6,7 +6,7 @@
 
 #include "samples/cli/bench.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stopwatch.h"
+#include "samples/cli/timed_parts.h"
 
 namespace cli
 {
@@ -59,11 +59,8 @@ void run(std::vector<ActorsRival> &rivals, const BenchArguments &a)
             const bool draws = frame <= 1 || frame == a.frames;
             double draw_ms = 0;
             if (draws) {
-                rival.scene_renderer->draw_environment();
-                rival.scene_renderer->gl().Finish();
-                const Stopwatch drawing;
-                rival.drawn = rival.scene_renderer->draw_crowd();
-                draw_ms = drawing.ms();
+                draw_ms = timed_crowd(*rival.scene_renderer);
+                rival.drawn = rival.scene_renderer->drawn();
             }
             if (frame == 0) continue;
             rival.update.ms.push_back(update_ms);

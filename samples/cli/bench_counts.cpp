@@ -6,7 +6,7 @@
 
 #include "samples/cli/bench.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stopwatch.h"
+#include "samples/cli/timed_parts.h"
 
 namespace cli
 {
@@ -45,13 +45,11 @@ Json run(scenes::SceneRenderer &scene_renderer, const BenchArguments &a)
         const Stopwatch updating;
         scene_renderer.update(begin_s + frame / 25.0);
         const double update_ms = updating.ms();
-        scene_renderer.draw_environment();
-        scene_renderer.gl().Finish();
-        const Stopwatch drawing;
-        drawn = scene_renderer.draw_crowd();
+        const double draw_ms = timed_crowd(scene_renderer);
+        drawn = scene_renderer.drawn();
         if (frame == 0) continue;
         update.ms.push_back(update_ms);
-        draw.ms.push_back(drawing.ms());
+        draw.ms.push_back(draw_ms);
     }
     const clq_crowd_stats stats = scene_renderer.crowd_stats();
     const Json parts = draw_parts(scene_renderer, a.frames);

@@ -52,8 +52,7 @@ Run run(scenes::Library &library, const BenchArguments &a, clq_cull_mode cull, L
     out.shares = {share(tracked, products), share(built, needed)};
     for (double &count : out.counts) count /= a.frames;
     if (levels == LevelChoice::finest) return out;
-    scene_renderer.draw_environment();
-    scene_renderer.draw_crowd();
+    scene_renderer.draw_frame();
     out.picture = hex(scenes::hash_of(scene_renderer.read()));
     return out;
 }

@@ -96,8 +96,7 @@ public:
                 rivals_.back().scene_renderer->update(options.path->start_s());
                 for (const std::string &strategy : a.strategies) {
                     rivals_.back().scene_renderer->use_strategy(strategy_named(strategy));
-                    rivals_.back().scene_renderer->draw_environment();
-                    rivals_.back().scene_renderer->draw_crowd();
+                    rivals_.back().scene_renderer->draw_frame();
                 }
             }
     }
@@ -171,6 +170,8 @@ private:
         return most;
     }
 
+    using Part = scenes::SceneRenderer::Part;
+
     // One update, which all strategies share, and a picture with each strategy.
     void frame(PathRival &rival, double time_s)
     {
@@ -189,13 +190,14 @@ private:
             const Stopwatch whole;
             scene_renderer.draw_frame();
             const double whole_ms = whole.ms();
-            const Stopwatch environment;
-            scene_renderer.draw_environment();
-            scene_renderer.gl().Finish();
-            const double environment_ms = environment.ms();
-            const Stopwatch drawing;
-            const clq_draw_stats drawn = scene_renderer.draw_crowd();
-            const double draw_ms = drawing.ms();
+            double environment_ms = 0, draw_ms = 0;
+            scene_renderer.draw_apart([&](Part part, auto draw) {
+                const Stopwatch watch;
+                draw();
+                if (part == Part::environment) environment_ms = watch.ms();
+                if (part == Part::crowd) draw_ms = watch.ms();
+            });
+            const clq_draw_stats &drawn = scene_renderer.drawn();
             variant.update.ms.push_back(update_ms);
             variant.environment.ms.push_back(environment_ms);
             variant.draw.ms.push_back(draw_ms);

@@ -23,20 +23,22 @@ struct ShadowsRival {
     uint64_t skinned = 0;  // by updates
 };
 
+using Part = scenes::SceneRenderer::Part;
+
 void frame(ShadowsRival &rival, double time_s, bool counts)
 {
     rival.scene_renderer->make_current();
     const Stopwatch updating = processor_watch();
     rival.scene_renderer->update(time_s);
     const double update_ms = updating.ms();
-    rival.scene_renderer->draw_environment();
-    rival.scene_renderer->gl().Finish();
-    const Stopwatch darkening = processor_watch();
-    rival.drawn = rival.scene_renderer->draw_shadows();
-    const double shadow_ms = darkening.ms();
-    const Stopwatch drawing = processor_watch();
-    rival.scene_renderer->draw_crowd();
-    const double draw_ms = drawing.ms();
+    double shadow_ms = 0, draw_ms = 0;
+    rival.scene_renderer->draw_apart([&](Part part, auto draw) {
+        const Stopwatch watch = processor_watch();
+        draw();
+        if (part == Part::shadows) shadow_ms = watch.ms();
+        if (part == Part::crowd) draw_ms = watch.ms();
+    });
+    rival.drawn = rival.scene_renderer->darkened();
     if (!counts) return;
     rival.update.ms.push_back(update_ms);
     rival.shadows.ms.push_back(shadow_ms);

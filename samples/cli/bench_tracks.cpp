@@ -3,7 +3,7 @@
 
 #include "samples/cli/bench.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stopwatch.h"
+#include "samples/cli/timed_parts.h"
 #include "samples/scenes/walkers/street.h"
 
 namespace cli
@@ -24,12 +24,9 @@ struct Street {
         const Stopwatch updating;
         renderer->update(time_s);
         const double update_ms = updating.ms();
-        renderer->draw_environment();
-        renderer->gl().Finish();
-        const Stopwatch drawing;
-        renderer->draw_crowd();
+        const double draw_ms = timed_crowd(*renderer);
         if (!measured) return;
-        update.ms.push_back(update_ms), draw.ms.push_back(drawing.ms());
+        update.ms.push_back(update_ms), draw.ms.push_back(draw_ms);
     }
     Json report(const char *kind) const
     {

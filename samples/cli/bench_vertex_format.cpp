@@ -6,7 +6,7 @@
 
 #include "samples/cli/bench.h"
 #include "samples/cli/progress.h"
-#include "samples/cli/stopwatch.h"
+#include "samples/cli/timed_parts.h"
 
 namespace cli
 {
@@ -47,11 +47,7 @@ void frame(VertexFormatRival &rival, double time_s)
     const Stopwatch updating;
     rival.scene_renderer->update(time_s);
     rival.update.ms.push_back(updating.ms());
-    rival.scene_renderer->draw_environment();
-    rival.scene_renderer->gl().Finish();
-    const Stopwatch drawing;
-    rival.scene_renderer->draw_crowd();
-    rival.draw.ms.push_back(drawing.ms());
+    rival.draw.ms.push_back(timed_crowd(*rival.scene_renderer));
     rival.picture = rival.scene_renderer->read();
 }
 
@@ -66,8 +62,7 @@ Json run(const BenchArguments &a, scenes::Library &library, const Shown &what)
         arguments.vertex_format = geometries[g];
         rivals[g].scene_renderer = std::make_unique<scenes::SceneRenderer>(library, scene_options(arguments, none));
         rivals[g].scene_renderer->update(1);
-        rivals[g].scene_renderer->draw_environment();
-        rivals[g].scene_renderer->draw_crowd();
+        rivals[g].scene_renderer->draw_frame();
     }
     Difference difference;
     for (int f = 0; f < a.frames; ++f) {

@@ -1,5 +1,6 @@
 #include "samples/cli/frame_drawer.h"
 
+#include <array>
 #include <cstdio>
 
 #include "samples/cli/stopwatch.h"
@@ -35,23 +36,20 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
     const Stopwatch updating;
     scene.update(frame.time_s);
     const double update_ms = updating.ms();
-    const Stopwatch environment;
-    scene.draw_environment();
-    scene.gl().Finish();
-    const double environment_ms = environment.ms();
-    const Stopwatch darkening;
-    const clq_shadow_stats darkened = scene.draw_shadows();
-    const double shadow_ms = darkening.ms();
-    const Stopwatch drawing;
-    const clq_draw_stats drawn = scene.draw_crowd();
-    const double draw_ms = drawing.ms();
-    scene.draw_show();
+    using Part = scenes::SceneRenderer::Part;
+    std::array<double, 3> ms = {};
+    scene.draw_apart([&](Part part, auto draw) {
+        const Stopwatch watch;
+        draw();
+        ms[static_cast<size_t>(part)] = watch.ms();
+    });
+    const clq_draw_stats drawn = scene.drawn();
     const std::vector<uint8_t> &rgb =
         arguments_.samples > 1 ? scene.picture(frame.time_s, arguments_.samples) : scene.read();
     const clq_view_stats seen = scene.view_stats();
     report["update_ms"] = update_ms;
-    report["environment_ms"] = environment_ms;
-    report["draw_ms"] = draw_ms;
+    report["environment_ms"] = ms[static_cast<size_t>(Part::environment)];
+    report["draw_ms"] = ms[static_cast<size_t>(Part::crowd)];
     report["drawn"] = {{"individuals", drawn.individuals},
                        {"draws", drawn.draws},
                        {"triangles_seen", seen.triangles},
@@ -62,7 +60,8 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
                                     {"made", drawn.close_textures_made},
                                     {"bytes", drawn.close_texture_bytes}};
     if (options_.shadows.form != scenes::ShadowChoice::Form::painted)
-        report["shadows"] = shadow_counters(darkened), report["shadow_ms"] = shadow_ms;
+        report["shadows"] = shadow_counters(scene.darkened()),
+        report["shadow_ms"] = ms[static_cast<size_t>(Part::shadows)];
     report["counters"] = counters(scene.crowd_stats());
     return rgb;
 }

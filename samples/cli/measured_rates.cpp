@@ -1,6 +1,6 @@
 #include "samples/cli/measured_rates.h"
 
-#include "samples/cli/stopwatch.h"
+#include "samples/cli/timed_parts.h"
 
 namespace cli
 {
@@ -16,12 +16,7 @@ Json measured_rates(scenes::SceneRenderer &scene_renderer, double from_s)
         scene_renderer.update(from_s + k / static_cast<double>(updates));
         update.ms.push_back(updating.ms());
         if (k % 10 != 0) continue;
-        scene_renderer.draw_environment();
-        scene_renderer.gl().Finish();
-        scene_renderer.draw_shadows();
-        const Stopwatch drawing;
-        scene_renderer.draw_crowd();
-        draw.ms.push_back(drawing.ms());
+        draw.ms.push_back(timed_crowd(scene_renderer));
     }
     const clq_crowd_stats stats = scene_renderer.crowd_stats();
     return {{"from_s", from_s},

@@ -15,9 +15,7 @@ namespace
 
 void write_picture(const StageArguments &a, scenes::SceneRenderer &renderer, int frame)
 {
-    renderer.draw_environment();
-    renderer.draw_shadows();
-    renderer.draw_crowd();
+    renderer.draw_frame();
     const std::vector<uint8_t> &rgb = renderer.read();
     const std::vector<unsigned char> file =
         io::png(rgb.data(), a.setup.width, a.setup.height, {{"Software", "claque " + version()}});

@@ -52,6 +52,7 @@ void Labeller::read_numbers(std::vector<uint32_t> &numbers, const uint8_t *drawn
         calls.Clear(gl::color_buffer_bit | gl::depth_buffer_bit);
         if (!drawn) {
             colour_mask_(0, 0, 0, 0);
+            scene_.begin_picture();
             scene_.draw_environment();
             colour_mask_(1, 1, 1, 1);
         }

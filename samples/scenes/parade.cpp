@@ -97,9 +97,9 @@ public:
 
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, light_, eye);
         g.Disable(gl::lighting);
         ground_.draw(g);
         sky_.draw(g, eye);

@@ -85,9 +85,9 @@ public:
         shadows_.prepare(gl);
     }
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, light_, eye);
         const Frustum cull(eye, cull_share_);
         g.Enable(gl::cull_face);
         plaster_->use();

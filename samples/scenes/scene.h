@@ -51,9 +51,12 @@ public:
 
     // Loads textures into the current context, which must be current again when the scene is destroyed.
     virtual void prepare(const Gl &gl) = 0;
-    // Draws everything but the crowd into a cleared picture, and leaves the lights on for the crowd.
+    // Sets the lights and the haze that people and their surroundings share. Call it in a cleared picture, before
+    // either is drawn.
+    virtual void set_light(const Gl &gl, const Eye &eye) const = 0;
+    // Draws everything but the crowd, in the light that is set, and leaves it set.
     virtual void draw_environment(const Gl &gl, const Eye &eye) const = 0;
-    // What is drawn after the crowd, such as what people carry: it follows their poses.
+    // What is drawn last, such as what people carry: it follows their poses.
     virtual void draw_things(const Gl &, const Eye &) const {}
     // From now on the scene leaves out the shadows that it paints itself, so that claque draws shadows or nothing
     // does. Returns the light of the shadows; returns false, with nothing changed, if the scene has no ground for

@@ -139,7 +139,7 @@ void SceneRenderer::update(double time_s)
     check(clq_crowd_update(scene_->crowd(), crowd_s, views, 1));
 }
 
-void SceneRenderer::draw_environment()
+void SceneRenderer::begin_picture()
 {
     gl_.Viewport(0, 0, options_.width, options_.height);
     gl_.DepthMask(1);
@@ -150,37 +150,51 @@ void SceneRenderer::draw_environment()
         gl_.Enable(gl::scissor_test);
         gl_.Scissor(x0_, 0, x1_ - x0_, options_.height);
     }
-    scene_->draw_environment(gl_, eye_);
+    scene_->set_light(gl_, eye_);
 }
 
-clq_shadow_stats SceneRenderer::send_shadows()
+bool SceneRenderer::has_claques_shadows() const
 {
-    clq_shadow_stats stats = clq_shadow_stats_init();
-    const ShadowChoice::Form form = options_.shadows.form;
-    if (form == ShadowChoice::Form::painted || form == ShadowChoice::Form::none) return stats;
-    check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &stats));
-    return stats;
+    return options_.shadows.form != ShadowChoice::Form::painted && options_.shadows.form != ShadowChoice::Form::none;
 }
 
-clq_draw_stats SceneRenderer::send_crowd()
+std::array<SceneRenderer::Part, 3> SceneRenderer::order() const
 {
-    clq_draw_stats stats = clq_draw_stats_init();
-    check(clq_renderer_draw(renderer_, view_.get(), &stats));
-    return stats;
+    if (has_claques_shadows()) return {Part::environment, Part::shadows, Part::crowd};
+    return {Part::crowd, Part::environment, Part::shadows};
 }
+
+void SceneRenderer::send(Part part)
+{
+    if (part == Part::environment) scene_->draw_environment(gl_, eye_);
+    if (part == Part::crowd) {
+        drawn_ = clq_draw_stats_init();
+        check(clq_renderer_draw(renderer_, view_.get(), &drawn_));
+    }
+    if (part == Part::shadows) {
+        darkened_ = clq_shadow_stats_init();
+        if (has_claques_shadows()) check(clq_renderer_draw_shadows(renderer_, view_.get(), &shadows_, &darkened_));
+    }
+}
+
+void SceneRenderer::draw(Part part)
+{
+    send(part);
+    gl_.Finish();
+}
+
+void SceneRenderer::draw_environment() { draw(Part::environment); }
 
 clq_shadow_stats SceneRenderer::draw_shadows()
 {
-    const clq_shadow_stats stats = send_shadows();
-    gl_.Finish();
-    return stats;
+    draw(Part::shadows);
+    return darkened_;
 }
 
 clq_draw_stats SceneRenderer::draw_crowd()
 {
-    const clq_draw_stats stats = send_crowd();
-    gl_.Finish();
-    return stats;
+    draw(Part::crowd);
+    return drawn_;
 }
 
 void SceneRenderer::draw_crowd_up_to(DrawPart last)
@@ -200,10 +214,11 @@ void SceneRenderer::frame(double time_s)
 
 void SceneRenderer::draw_frame()
 {
-    draw_environment();
-    if (*options_.flush_triangles != 0) gl_.Flush();
-    send_shadows();
-    send_crowd();
+    begin_picture();
+    for (const Part part : order()) {
+        send(part);
+        if (*options_.flush_triangles != 0) gl_.Flush();
+    }
     draw_show();
     gl_.Finish();
 }

@@ -68,20 +68,35 @@ public:
     void update(double time_s);
     // From now on all individuals stay as at this time, and times move the camera alone.
     void hold_crowd(double time_s) { held_s_ = time_s; }
+    // Clears the picture and sets the light for what is drawn next.
+    void begin_picture();
+    // What is drawn then, in this order. People come first, because their surroundings cost nothing where people hide
+    // them; but claque's shadows of people fall on surroundings that are there, and people stand in front of them.
+    enum class Part : uint8_t { environment, shadows, crowd };
+    std::array<Part, 3> order() const;
+    // Draws one part and waits for GL, so that it can be timed. Shadows are drawn if they are claque's.
+    void draw(Part part);
     void draw_environment();
-    // The shadows of people, if they are claque's. Call it after the environment and before the crowd; it waits for GL
-    // as draw_crowd() does.
     clq_shadow_stats draw_shadows();
-    // Draws what the scene draws after the crowd, and the overlay of SceneOptions::show.
-    void draw_show();
-    // The crowd alone, waiting for GL before and after, so that it can be timed.
     clq_draw_stats draw_crowd();
+    // Draws what the scene draws last, and the overlay of SceneOptions::show.
+    void draw_show();
     // The same in parts, for a scene with tells_parts: claque's own work, GL's with vertices, GL's with pixels.
     enum class DrawPart { claque, and_vertices, all };
     void draw_crowd_up_to(DrawPart last);
     // A whole frame as a host draws it: all of the above, waiting for GL only at the end.
     void frame(double time_s);
     void draw_frame();  // the same without the update
+    // A picture whose parts are drawn one by one; timed(part, draw) calls draw().
+    template <class Timed>
+    void draw_apart(Timed timed)
+    {
+        begin_picture();
+        for (const Part part : order()) timed(part, [&] { draw(part); });
+        draw_show();
+    }
+    const clq_draw_stats &drawn() const { return drawn_; }          // by the last draw of the crowd
+    const clq_shadow_stats &darkened() const { return darkened_; }  // by the last draw of its shadows
     // The same, and read; three bytes a pixel, top row first, valid until the next call.
     const std::vector<uint8_t> &picture(double time_s);
     // The mean of `samples` pictures of one time, each moved by its part of a pixel: anti-aliasing without
@@ -119,8 +134,8 @@ private:
     void set_multisample(bool on);
     void expect_viewpoint() const;
     void take_shadows();
-    clq_shadow_stats send_shadows();
-    clq_draw_stats send_crowd();
+    bool has_claques_shadows() const;
+    void send(Part part);
 
     Library &library_;
     SceneOptions options_;
@@ -132,6 +147,8 @@ private:
     clq_renderer *renderer_ = nullptr;            // one of them
     clq_shadow_def shadows_ = {};                 // if they are claque's
     Eye eye_ = {};
+    clq_draw_stats drawn_ = {};
+    clq_shadow_stats darkened_ = {};
     std::optional<double> held_s_;        // the crowd's time, if it is not that of the camera
     std::optional<clq_camera> standing_;  // in place of the options' camera
     double moved_px_[2] = {0, 0};         // of the picture, right and up

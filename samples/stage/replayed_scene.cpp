@@ -37,6 +37,7 @@ public:
     bool take_shadows(clq_shadow_def &def) override { return take_shadows_of(*setting_, def); }
     void prepare(const Gl &gl) override { setting_->prepare(gl); }
 
+    void set_light(const Gl &gl, const Eye &eye) const override { setting_->set_light(gl, eye); }
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         setting_->draw(gl, eye);

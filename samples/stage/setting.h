@@ -51,6 +51,7 @@ public:
     virtual void lay_shadows(clq_shadow_def &) const {}
     // As those of scenes::Scene.
     virtual void prepare(const scenes::Gl &gl) = 0;
+    virtual void set_light(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
     virtual void draw(const scenes::Gl &gl, const scenes::Eye &eye) const = 0;
 };
 

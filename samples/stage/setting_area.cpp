@@ -58,6 +58,7 @@ public:
 
     void prepare(const Gl &gl) override { plain_.prepare(gl); }
 
+    void set_light(const Gl &g, const Eye &eye) const override { plain_.set_light(g, eye); }
     void draw(const Gl &g, const Eye &eye) const override { plain_.draw(g, eye); }
 
 private:

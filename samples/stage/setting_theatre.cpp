@@ -54,6 +54,7 @@ public:
     std::optional<double> shadows_at_m() const override { return std::nullopt; }
 
     void prepare(const Gl &gl) override { building_.prepare(gl); }
+    void set_light(const Gl &gl, const Eye &eye) const override { building_.set_light(gl, eye); }
     void draw(const Gl &gl, const Eye &eye) const override
     {
         const Frustum cull(eye);

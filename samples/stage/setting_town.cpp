@@ -62,6 +62,7 @@ public:
 
     void prepare(const Gl &gl) override { town_.prepare(gl); }
 
+    void set_light(const Gl &gl, const Eye &eye) const override { town_.set_light(gl, eye); }
     void draw(const Gl &gl, const Eye &eye) const override
     {
         const Frustum cull(eye, 1);

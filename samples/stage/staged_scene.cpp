@@ -62,6 +62,7 @@ public:
 
     void prepare(const Gl &gl) override { setting_->prepare(gl); }
 
+    void set_light(const Gl &gl, const Eye &eye) const override { setting_->set_light(gl, eye); }
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         setting_->draw(gl, eye);

@@ -53,20 +53,22 @@ void World::draw(Model &model)
         gl_.Scissor(columns_->x0, below_, columns_->x1 - columns_->x0, height_);
     }
     clear();
-    scene_->draw_environment(gl_, eye_);
-    workbench_->draw_ground(gl_, eye_, time_s_);
+    scene_->set_light(gl_, eye_);
     // Waiting for GL between the parts tells what each takes, and makes the whole slower.
     const bool apart = now_ && model.open.frame;
-    if (apart) gl_.Finish();
-    else if (surface_.flushes_cheaply()) gl_.Flush();
-    model.cost.surroundings_ms = apart ? ms_since(start) : -1;
-    start = now_s();
     // People who are near get textures of their own from all of the picture.
     const bool part = columns_ && made_.close_textures == 0;
     scenes::check(clq_renderer_draw(renderer_, part ? tile_view_.get() : view_.get(), &model.cost.drawn));
     if (level_row_) scenes::check(clq_renderer_draw(renderer_, level_row_->view(), nullptr));
     if (apart) gl_.Finish();
+    else if (surface_.flushes_cheaply()) gl_.Flush();
     model.cost.crowd_ms = apart ? ms_since(start) : -1;
+    start = now_s();
+    // People come first: surroundings cost nothing where people hide them.
+    scene_->draw_environment(gl_, eye_);
+    workbench_->draw_ground(gl_, eye_, time_s_);
+    if (apart) gl_.Finish();
+    model.cost.surroundings_ms = apart ? ms_since(start) : -1;
     look_for_loss();
     scene_->draw_things(gl_, eye_);
     workbench_->draw_things(gl_, eye_, model);

@@ -20,6 +20,7 @@ TEST_F(LabelsOfAScene, CoverExactlyThePixelsThatPeopleChange)
     const Sample sample = labeller_->label(3, 2);
     // The same picture without anybody: what differs is people.
     scene_->update(2);
+    scene_->begin_picture();
     scene_->draw_environment();
     const std::vector<uint8_t> empty = scene_->read();
     size_t changed = 0, labelled = 0;

@@ -55,9 +55,7 @@ scenes::SceneOptions options_of(const Arguments &a, uint32_t count)
 
 void clear(scenes::SceneRenderer &scene_renderer)
 {
-    scene_renderer.draw_environment();
-    scene_renderer.gl().DepthMask(1);
-    scene_renderer.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
+    scene_renderer.begin_picture();
     scene_renderer.gl().Finish();
 }
 

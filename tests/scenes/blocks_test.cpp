@@ -88,9 +88,13 @@ void expect_culling_does_not_show(const std::string &name)
     scene->prepare(canvas.g);
     for (const Eye &eye : eyes_in(name)) {
         scene->cull_by(1);
-        const std::vector<uint8_t> culled = canvas.picture([&] { scene->draw_environment(canvas.g, eye); });
+        const auto surroundings = [&] {
+            scene->set_light(canvas.g, eye);
+            scene->draw_environment(canvas.g, eye);
+        };
+        const std::vector<uint8_t> culled = canvas.picture(surroundings);
         scene->cull_by(1e6);
-        ASSERT_EQ(culled, canvas.picture([&] { scene->draw_environment(canvas.g, eye); }))
+        ASSERT_EQ(culled, canvas.picture(surroundings))
             << name << " from " << eye.position[0] << ' ' << eye.position[1] << ' ' << eye.position[2];
     }
 }

@@ -101,6 +101,7 @@ bool has_free_sight(scenes::SceneRenderer &scene, const Standpoint &from, double
     const double aspect = static_cast<double>(scene.offscreen().width()) / scene.offscreen().height();
     scene.look_from(scenes::look(head, from.camera.eye, 5, aspect, near_m, far_m));
     scene.update(time_s);
+    scene.begin_picture();
     scene.draw_environment();
     std::vector<float> depth;
     scene.offscreen().read_depth(depth);

@@ -8,9 +8,8 @@ namespace parity
 
 clq_draw_stats draw_alone(scenes::SceneRenderer &scene_renderer)
 {
-    scene_renderer.draw_environment();
-    scene_renderer.gl().DepthMask(1);
-    scene_renderer.gl().ClearColor(0, 0, 0, 1);
+    scene_renderer.begin_picture();
+    scene_renderer.gl().ClearColor(0, 0, 0, 1);  // a scene may have filled it with haze
     scene_renderer.gl().Clear(scenes::gl::color_buffer_bit | scenes::gl::depth_buffer_bit);
     return scene_renderer.draw_crowd();
 }

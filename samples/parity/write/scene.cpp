@@ -58,7 +58,7 @@ size_t write_scene(scenes::SceneRenderer &scene_renderer, const CaptureTime &cap
 {
     Folder folder(folder_path);
     scene_renderer.update(capture_time.time_s);
-    scene_renderer.draw_environment();
+    scene_renderer.begin_picture();
     const DrawnActors drawn_actors(scene_renderer.view());
     const Skinned skinned(drawn_actors);
     const Poses poses(drawn_actors);

@@ -92,10 +92,9 @@ public:
         games_.prepare(gl);
     }
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        sky_.draw(g, eye);
-        set_lights(g, light_, eye);
         g.Disable(gl::lighting);  // the stone has its light in its colours
         g.Enable(gl::cull_face);
         // Near things first: what they hide then costs no texture.
@@ -112,7 +111,7 @@ public:
         paving_.draw(g);
         g.Disable(gl::texture_2d);
         games_.draw_shadows(g);
-        g.Enable(gl::lighting);
+        sky_.draw(g, eye);
     }
 
     // Ropes are blended over everything behind them, people too.

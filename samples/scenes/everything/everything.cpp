@@ -44,7 +44,7 @@ public:
     void place(double) override {}
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
-    void draw_environment(const Gl &g, const Eye &eye) const override
+    void set_light(const Gl &g, const Eye &eye) const override
     {
         set_lights(g, dusk, eye);
         light_lamp(g);
@@ -55,6 +55,10 @@ public:
         g.Fogi(gl::fog_mode, gl::exp2);
         g.Fogf(gl::fog_density, 0.06f);
         g.Enable(gl::fog);
+    }
+
+    void draw_environment(const Gl &g, const Eye &eye) const override
+    {
         ground_.draw(g);
         g.Disable(gl::lighting);
         shadows_.draw(g);

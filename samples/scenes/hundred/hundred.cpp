@@ -65,9 +65,9 @@ public:
     void place(double) override {}
     void prepare(const Gl &) override {}
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, morning, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, morning, eye);
         g.Disable(gl::texture_2d);
         g.Enable(gl::cull_face);
         water_.draw(g);

@@ -94,9 +94,9 @@ public:
         if (view_ == View::whole) shade_.emplace(gl, painted_.image(), true, Texture::Filter::nearest);
     }
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
         const bool in_texture = paints_people_ && shade_ && afar(eye);

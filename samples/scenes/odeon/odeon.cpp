@@ -41,6 +41,7 @@ public:
     }
 
     void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
+    void set_light(const Gl &g, const Eye &eye) const override { building_.set_light(g, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
         const Frustum cull(eye, cull_share_);

@@ -50,7 +50,6 @@ void TheatreBuilding::prepare(const Gl &gl)
 
 void TheatreBuilding::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
 {
-    set_lights(g, light_, eye);
     g.Enable(gl::cull_face);
     plaster_->use();
     stage_.draw(g, eye, cull);

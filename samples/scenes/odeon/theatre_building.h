@@ -24,7 +24,8 @@ public:
     // From above the stage, before its wall: all of it.
     clq_camera overview(double aspect) const;
     void prepare(const Gl &gl);
-    // What meets `cull` (null: all), and the sky.
+    void set_light(const Gl &gl, const Eye &eye) const { set_lights(gl, light_, eye); }
+    // What meets `cull` (null: all), and the sky, in the light that is set.
     void draw(const Gl &gl, const Eye &eye, const Frustum *cull) const;
 
 private:

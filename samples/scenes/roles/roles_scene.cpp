@@ -58,9 +58,9 @@ public:
 
     void prepare(const Gl &) override {}
 
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         g.Disable(gl::lighting);  // the ground has its colours as they are
         ground_.draw(g);

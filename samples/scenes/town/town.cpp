@@ -104,7 +104,7 @@ void Town::prepare(const Gl &gl)
     sky_.prepare(gl);
 }
 
-size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
+void Town::set_light(const Gl &g, const Eye &eye)
 {
     set_lights(g, light(), eye);
     const float haze[4] = {Clouds::haze.r, Clouds::haze.g, Clouds::haze.b, 1};
@@ -112,6 +112,10 @@ size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
     g.Fogi(gl::fog_mode, gl::exp);
     g.Fogf(gl::fog_density, haze_per_m);
     g.Enable(gl::fog);
+}
+
+size_t Town::draw(const Gl &g, const Eye &eye, const Frustum *cull) const
+{
     g.Enable(gl::cull_face);
     const size_t sent = pieces_.choose(cull, eye.position, chosen_);
     for (const SurfaceKind layer : drawing_order) {

@@ -37,8 +37,10 @@ public:
 
     // Loads textures into the current context, which must be current again when the town is destroyed.
     void prepare(const Gl &gl);
-    // Draws the pieces that meet `cull` (null: all), then the sky, in a cleared picture. Leaves the view, the lights
-    // and the haze on for the objects drawn next. Returns the number of triangles sent.
+    // The lights and the haze of everything that is drawn here.
+    static void set_light(const Gl &gl, const Eye &eye);
+    // Draws the pieces that meet `cull` (null: all), then the sky, in the light that is set, and leaves it set. Returns
+    // the number of triangles sent.
     size_t draw(const Gl &gl, const Eye &eye, const Frustum *cull = nullptr) const;
 
 private:

@@ -49,6 +49,7 @@ public:
 
     void place(double) override {}
     void prepare(const Gl &gl) override { town_.prepare(gl); }
+    void set_light(const Gl &g, const Eye &eye) const override { town_.set_light(g, eye); }
     void draw_environment(const Gl &gl, const Eye &eye) const override
     {
         const Frustum cull(eye, cull_share_);

@@ -20,7 +20,6 @@ void Plain::prepare(const Gl &gl)
 
 void Plain::draw(const Gl &g, const Eye &eye) const
 {
-    set_lights(g, light_, eye);
     g.Enable(gl::cull_face);
     plaster_->use();
     ground_.walls.draw(g);

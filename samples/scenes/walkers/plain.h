@@ -20,7 +20,8 @@ public:
     const Daylight &light() const { return light_; }
 
     void prepare(const Gl &gl);
-    void draw(const Gl &gl, const Eye &eye) const;
+    void set_light(const Gl &gl, const Eye &eye) const { set_lights(gl, light_, eye); }
+    void draw(const Gl &gl, const Eye &eye) const;  // in the light that is set
 
 private:
     uint64_t seed_;

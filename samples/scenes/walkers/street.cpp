@@ -37,9 +37,9 @@ public:
     }
     void place(double) override {}
     void prepare(const Gl &) override {}
+    void set_light(const Gl &g, const Eye &eye) const override { set_lights(g, light_, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
-        set_lights(g, light_, eye);
         g.Disable(gl::texture_2d);
         ground_.draw(g);
         sky_.draw(g, eye);

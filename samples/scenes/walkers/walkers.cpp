@@ -82,6 +82,7 @@ public:
         shadows_.prepare(gl);
     }
 
+    void set_light(const Gl &g, const Eye &eye) const override { plain_.set_light(g, eye); }
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
         plain_.draw(g, eye);

@@ -62,12 +62,12 @@ public:
     }
     void place(double) override {}
     void prepare(const scenes::Gl &gl) override { shadows_.prepare(gl); }
+    void set_light(const scenes::Gl &g, const scenes::Eye &eye) const override { scenes::set_lights(g, light_, eye); }
     void draw_environment(const scenes::Gl &g, const scenes::Eye &eye) const override
     {
-        sky_.draw(g, eye);
-        scenes::set_lights(g, light_, eye);
         g.Disable(scenes::gl::lighting);
         ground_.draw(g);
+        sky_.draw(g, eye);
         if (!paints_people_) return;
         shadows_.cast(places_, light_.to_sun, static_cast<float>(person_m), 0.9f);
         shadows_.draw(g);

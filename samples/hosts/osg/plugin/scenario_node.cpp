@@ -142,8 +142,9 @@ private:
         check(clq_crowd_update(scene_->crowd(), time_s, &view_, 1));
         const scenes::Eye eye = scenes::eye_of(camera);
         const Kept kept;
-        scene_->draw_environment(gl_, eye);
+        scene_->set_light(gl_, eye);
         check(clq_renderer_draw(renderer, view_, nullptr));
+        scene_->draw_environment(gl_, eye);
         scene_->draw_things(gl_, eye);
     }
 
