@@ -8,7 +8,7 @@ namespace
 {
 
 // With GL_COLOR_MATERIAL on, colours change materials; the lighting group saves those. The enable group holds the
-// switches, GL_MULTISAMPLE among them.
+// switches.
 constexpr gl::Bits touched_groups = gl::current_bit | gl::polygon_bit | gl::lighting_bit | gl::depth_buffer_bit |
                                     gl::enable_bit | gl::colour_buffer_bit | gl::texture_bit;
 
@@ -72,7 +72,20 @@ void disable_arrays(const Gl11 &gl)
     for (const gl::Enum array : arrays) gl.DisableClientState(array);
 }
 
-StateGuard::StateGuard(const Gl11 &gl, Guard mode, gl::Bits more) : gl_(gl), mode_(mode)
+SampleSwitches::SampleSwitches(const Gl11 &gl, Multisample multisample)
+    : gl_(gl), known_(multisample != Multisample::missing)
+{
+    for (int i = 0; known_ && i < 3; ++i) on_[i] = gl_.IsEnabled(names[i]) != gl::no;
+}
+
+void SampleSwitches::restore() const
+{
+    for (int i = 0; known_ && i < 3; ++i)
+        if ((gl_.IsEnabled(names[i]) != gl::no) != on_[i]) on_[i] ? gl_.Enable(names[i]) : gl_.Disable(names[i]);
+}
+
+StateGuard::StateGuard(const Gl11 &gl, Guard mode, Multisample multisample, gl::Bits more)
+    : gl_(gl), mode_(mode), samples_(gl, mode == Guard::full ? multisample : Multisample::missing)
 {
     if (mode_ == Guard::none) return;
     if (mode_ == Guard::full) gl_.PushAttrib(touched_groups | more);
@@ -101,6 +114,7 @@ StateGuard::~StateGuard()
     restore(gl_, vertex_array_);
     if (mode_ != Guard::full) return;
     gl_.PopAttrib();
+    samples_.restore();
     let_materials_follow(gl_);
 }
 

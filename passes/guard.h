@@ -102,12 +102,28 @@ struct VertexArray {
     bool operator!=(const VertexArray &other) const;
 };
 
+// The switches of GL 1.3 that a draw sets, by value: NVIDIA's driver (580.159.04) saves GL_MULTISAMPLE in no attribute
+// group.
+class SampleSwitches
+{
+public:
+    SampleSwitches(const Gl11 &gl, Multisample multisample);
+    void restore() const;
+
+private:
+    static constexpr gl::Enum names[] = {gl::multisample, gl::sample_alpha_to_coverage, gl::sample_alpha_to_one};
+
+    const Gl11 &gl_;
+    bool known_;
+    bool on_[3] = {false, false, false};
+};
+
 // Saves the state of the mode on construction and restores it on destruction. Preflight has checked the stacks.
 class StateGuard
 {
 public:
-    // `more`: additional attribute groups that the caller changes.
-    StateGuard(const Gl11 &gl, Guard mode, gl::Bits more = 0);
+    // `multisample`: what the draw does about it. `more`: additional attribute groups that the caller changes.
+    StateGuard(const Gl11 &gl, Guard mode, Multisample multisample, gl::Bits more = 0);
     ~StateGuard();
     StateGuard(const StateGuard &) = delete;
     StateGuard &operator=(const StateGuard &) = delete;
@@ -115,6 +131,7 @@ public:
 private:
     const Gl11 &gl_;
     Guard mode_;
+    SampleSwitches samples_;
     int32_t matrix_mode_ = 0;
     double modelview_[16], projection_[16], texture_[16];
     VertexArray vertex_array_;

@@ -7,7 +7,13 @@ namespace claque::passes
 {
 HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state, Multisample multisample,
                      const draw::DrawList &list, const draw::Item &item)
-    : gl_(gl), preflight_(preflight), state_(state), multisample_(multisample), list_(list), item_(item)
+    : gl_(gl),
+      preflight_(preflight),
+      state_(state),
+      multisample_(multisample),
+      samples_(gl, multisample),
+      list_(list),
+      item_(item)
 {
     state_.end_flat();
     gl_.BindTexture(gl::texture_2d, 0);  // first: the pop restores parameters to the texture that was bound at the push
@@ -72,6 +78,7 @@ base::Status HookFrame::after()
     level_attributes();
     gl_.PopClientAttrib();
     gl_.PopAttrib();
+    samples_.restore();
     level_matrices();
     const base::Status status = preflight_.check_target(gl_);
     state_.begin(list_.projection, multisample_);

@@ -9,6 +9,7 @@
 
 #include "lib/draw/draw_list.h"
 #include "passes/gl_state.h"
+#include "passes/guard.h"
 #include "passes/preflight.h"
 
 namespace claque::passes
@@ -53,6 +54,7 @@ private:
     const Preflight &preflight_;
     GlState &state_;
     Multisample multisample_;
+    SampleSwitches samples_;
     const draw::DrawList &list_;
     const draw::Item &item_;
     Depths found_;

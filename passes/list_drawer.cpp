@@ -68,7 +68,7 @@ ListDrawer::ListDrawer(const Gl11 &gl, const Preflight &preflight, const Rendere
 
 base::Status ListDrawer::draw()
 {
-    const StateGuard guard(gl_, guard_);
+    const StateGuard guard(gl_, guard_, multisample_);
     state_.begin(list_.projection, multisample_);
     const auto by_matrices = [](const draw::Item &item) { return item.locals != nullptr; };
     if (std::any_of(list_.items.begin(), list_.items.end(), by_matrices)) room_ = matrix_room(gl_);

@@ -46,8 +46,9 @@ base::Status Renderer::draw_visibility(const draw::DrawList &list, const Visibil
     base::Status status = open_ ? check_visibility(list)
                                 : base::Status::bad(CLQ_GL_MISSING, "the renderer has no GL functions: it is not open");
     if (status.ok() && std::any_of(list.items.begin(), list.items.end(), shows)) {
-        const StateGuard guard(gl_, Guard::full);
-        status = VisibilityDrawer(gl_, holes_, visibility_, list, options, stats).draw(preflight_.multisample(false));
+        const Multisample multisample = preflight_.multisample(false);
+        const StateGuard guard(gl_, Guard::full, multisample);
+        status = VisibilityDrawer(gl_, holes_, visibility_, list, options, stats).draw(multisample);
     }
     if (open_) status = still_current(gl_, status);
     if (out_stats) *out_stats = stats;

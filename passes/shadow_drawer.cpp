@@ -80,7 +80,7 @@ void ShadowDrawer::set_stencil()
 
 base::Status ShadowDrawer::draw()
 {
-    const StateGuard guard(gl_, Guard::full, gl::stencil_buffer_bit);
+    const StateGuard guard(gl_, Guard::full, preflight_.multisample(false), gl::stencil_buffer_bit);
     set_state();
     if (options_.stencil_bit >= 0) set_stencil();
     else shadow_mask_.emplace(list_.projection, target_.width, target_.height, scratch_.shadow, batch_);

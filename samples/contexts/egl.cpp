@@ -1,63 +1,16 @@
-// EGL on the surfaceless platform, drawing into a pixel buffer surface: no window system and no device needed.
-#include "samples/contexts/backends.h"
+// EGL on the surfaceless platform or a device, drawing into a pixel buffer surface: no window system is needed.
+#include "samples/contexts/egl_library.h"
 
 namespace contexts
 {
 namespace
 {
 
-constexpr unsigned platform_surfaceless = 0x31DD, opengl_api = 0x30A2;
+constexpr unsigned opengl_api = 0x30A2;
 constexpr int surface_type = 0x3033, pbuffer_bit = 1, renderable_type = 0x3040, opengl_bit = 8, end = 0x3038;
 constexpr int alpha_size = 0x3021, blue_size = 0x3022, green_size = 0x3023, red_size = 0x3024;
 constexpr int depth_size = 0x3025, stencil_size = 0x3026, sample_count = 0x3031, width_key = 0x3057,
               height_key = 0x3056;
-
-struct EglLibrary {
-    Handle (*get_proc_address)(const char *) = nullptr;
-    Handle (*get_platform_display)(unsigned platform, Handle native, const void *attributes) = nullptr;
-    unsigned (*initialize)(Handle display, int *major, int *minor) = nullptr;
-    unsigned (*bind_api)(unsigned api) = nullptr;
-    unsigned (*choose_config)(Handle display, const int *wanted, Handle *configs, int capacity, int *count) = nullptr;
-    unsigned (*get_config)(Handle display, Handle config, int what, int *value) = nullptr;
-    Handle (*create_context)(Handle display, Handle config, Handle share, const int *attributes) = nullptr;
-    Handle (*create_surface)(Handle display, Handle config, const int *attributes) = nullptr;
-    unsigned (*make_current)(Handle display, Handle draw, Handle read, Handle context) = nullptr;
-    unsigned (*destroy_context)(Handle display, Handle context) = nullptr;
-    unsigned (*destroy_surface)(Handle display, Handle surface) = nullptr;
-    Handle display = nullptr;
-    const char *why_not = nullptr;
-};
-
-EglLibrary open_display()
-{
-    static const char *const names[] = {"libEGL.so.1", "libEGL.so", nullptr};
-    EglLibrary l;
-    Handle so = open_library(names);
-    l.why_not = "EGL: libEGL.so.1 is missing (Debian: libegl1 and libgl1-mesa-dri)";
-    if (!so || !find(so, "eglGetProcAddress", l.get_proc_address) || !find(so, "eglInitialize", l.initialize) ||
-        !find(so, "eglBindAPI", l.bind_api) || !find(so, "eglChooseConfig", l.choose_config) ||
-        !find(so, "eglGetConfigAttrib", l.get_config) || !find(so, "eglCreateContext", l.create_context) ||
-        !find(so, "eglCreatePbufferSurface", l.create_surface) || !find(so, "eglMakeCurrent", l.make_current) ||
-        !find(so, "eglDestroyContext", l.destroy_context) || !find(so, "eglDestroySurface", l.destroy_surface))
-        return l;
-
-    l.why_not = "EGL: no surfaceless platform (Debian: libgl1-mesa-dri)";
-    l.get_platform_display =
-        reinterpret_cast<decltype(l.get_platform_display)>(l.get_proc_address("eglGetPlatformDisplayEXT"));
-    if (!l.get_platform_display) return l;
-    l.display = l.get_platform_display(platform_surfaceless, nullptr, nullptr);
-    int major = 0, minor = 0;
-    if (!l.display || !l.initialize(l.display, &major, &minor)) return l;
-    l.why_not = nullptr;
-    return l;
-}
-
-// Opened once and kept with its display, because other code in the process may share it.
-const EglLibrary &egl_library()
-{
-    static const EglLibrary opened = open_display();
-    return opened;
-}
 
 int config_value(Handle config, int what)
 {
@@ -200,7 +153,7 @@ private:
 
 std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not, int samples)
 {
-    if (egl_library().why_not) {
+    if (!egl_library().why_not.empty()) {
         why_not = egl_library().why_not;
         return nullptr;
     }

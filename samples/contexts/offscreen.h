@@ -14,7 +14,8 @@ namespace contexts
 {
 
 // any: what the environment variable CLAQUE_CONTEXT names (osmesa, egl, glx); without it OSMesa if it is there, else
-// EGL. GLX needs the X server that DISPLAY names, and is only used where it is named.
+// EGL. EGL draws on Mesa's surfaceless platform, else on the first device; CLAQUE_EGL_DEVICE names another by number.
+// GLX needs the X server that DISPLAY names, and is only used where it is named.
 enum class Kind : uint8_t { any, osmesa, egl, glx };
 enum class PixelFormat : uint8_t { rgba8888, rgb565 };
 

@@ -89,6 +89,13 @@ def installed():
                 ("DisruptiveHooks.ThatChangeWhat*", "the second picture is another one than the first"),
             ),
         ),
+        Driver(
+            "nvidia",
+            "NVIDIA",
+            "egl",
+            {"CLAQUE_EGL_DEVICE": "0"},
+            (EGL[0], ("/dev/nvidia0", "a GPU and NVIDIA's driver")),
+        ),
         Driver("glx", "GLX, llvmpipe", "glx", {}, XVFB, services.x_server, (NO_565,)),
         Driver(
             "glx-indirect",

@@ -2,6 +2,7 @@
 #include "passes/guard.h"
 #include "tests/gl/support/hooked.h"
 #include "tests/gl/support/mess.h"
+#include "tests/gl/support/spy.h"
 #include "tests/gl/support/state_dump.h"
 
 namespace gltest
@@ -78,6 +79,26 @@ TEST_F(DisruptiveHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
         for (const std::string &name : differences(before, after))
             ADD_FAILURE() << name << " was " << text_of(before.at(name)) << ", is now " << text_of(after.at(name));
         SetUp();
+    }
+}
+
+// NVIDIA's driver 580.159.04 pops no GL_MULTISAMPLE. With guard mode none nothing else restores it either.
+TEST_F(DisruptiveHooks, LeaveTheHostsMultisamplingWhereGlForgetsToPopIt)
+{
+    for (const bool on : {true, false}) {
+        Spy spy(*context_);
+        spy.forgets_samples = true;
+        passes::RendererOptions options = options_of(passes::Strategy::fused, Guard::none);
+        options.multisample = true;
+        passes::Renderer renderer(std::pmr::get_default_resource(), options);
+        ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
+        ASSERT_TRUE(renderer.prepare(*posed_.tmpl).ok());
+        const auto set = [&](bool to) { to ? host_->Enable(gl::multisample) : host_->Disable(gl::multisample); };
+        set(on);
+        const Callbacks both([&] { return set(!on), 0; }, nullptr);
+        ASSERT_TRUE(renderer.draw(trio(both), nullptr).ok());
+        EXPECT_EQ(host_->IsEnabled(gl::multisample) != 0, on);
+        renderer.destroy();
     }
 }
 

@@ -222,6 +222,24 @@ TEST_F(HostState, OfAnArrayThatGlForgetsToPopIsTheHostsOwn)
     }
 }
 
+// NVIDIA's driver 580.159.04.
+TEST_F(HostState, OfSwitchesForSamplesThatGlForgetsToPopIsTheHostsOwn)
+{
+    constexpr gl::Enum switches[] = {gl::multisample, gl::sample_alpha_to_coverage, gl::sample_alpha_to_one};
+    const PosedModel posed = small_posed();
+    for (const bool on : {true, false}) {
+        Spy spy(*context_);
+        spy.forgets_samples = true;
+        passes::Renderer renderer(std::pmr::get_default_resource(), options_of(passes::Strategy::fused));
+        ASSERT_TRUE(renderer.open(Spy::get_proc_address, spy.user()).ok());
+        ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
+        for (const gl::Enum one : switches) on ? host_->Enable(one) : host_->Disable(one);
+        ASSERT_TRUE(renderer.draw(list_of(posed, whole_view(posed)), nullptr).ok());
+        for (const gl::Enum one : switches) EXPECT_EQ(host_->IsEnabled(one) != 0, on) << one;
+        renderer.destroy();
+    }
+}
+
 TEST_F(HostState, OfErrorsIsTheHostsOwn)
 {
     constexpr gl::Enum invalid_enum = 0x0500;

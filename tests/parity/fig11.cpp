@@ -1,6 +1,6 @@
 // S2's Fig. 11: individuals in view against frames per second, drawn by the CPU path and by the peer's shaders, side by
 // side in one run and on the same OpenGL.
-//   fig11 [--counts 100,300,1000] [--frames N] [--size WxH] [--save chart.json]
+//   fig11 [--counts 100,300,1000] [--lod on|off] [--frames N] [--width W] [--height H] [--save chart.json]
 // prints a table; the chart is for claque plot.
 #include <filesystem>
 #include <fstream>
@@ -24,6 +24,7 @@ struct Arguments {
     std::vector<uint32_t> counts = {100, 300, 1000, 3000, 10000};
     int frames = 15;
     int width = 1024, height = 768;
+    bool levels = true;
     std::string scene = "ten_thousand", save;
 };
 
@@ -49,6 +50,7 @@ scenes::SceneOptions options_of(const Arguments &a, uint32_t count)
     options.scene = a.scene;
     options.crowd_options.count = count;
     options.crowd_options.lod = scenes::Lod::on;
+    options.crowd_options.lod_scale = a.levels ? 1 : 0;
     options.width = a.width, options.height = a.height;
     return options;
 }
@@ -59,22 +61,25 @@ void clear(scenes::SceneRenderer &scene_renderer)
     scene_renderer.gl().Finish();
 }
 
-// One update, drawn twice.
-void cpu_frame(scenes::SceneRenderer &scene_renderer, double time_s, Measured *per_zone, Measured *fused)
+// The ways of the CPU path. The first two share a crowd; each other has its own.
+enum Way { per_zone, fused, fused_packed, fused_uncached, cpu_ways };
+constexpr const char *way_names[cpu_ways] = {"a pass a zone", "fused", "fused, packed", "fused, no caches"};
+
+// One update, drawn once for each strategy.
+void cpu_frame(scenes::SceneRenderer &scene_renderer, double time_s,
+               const std::vector<std::pair<clq_draw_strategy, Measured *>> &draws)
 {
     scene_renderer.make_current();
     const cli::Stopwatch updating;
     scene_renderer.update(time_s);
     const double update_ms = updating.ms();
-    const auto draw = [&](clq_draw_strategy strategy, Measured *out) {
+    for (const auto &[strategy, out] : draws) {
         scene_renderer.use_strategy(strategy);
         clear(scene_renderer);
         const cli::Stopwatch drawing;
         scene_renderer.draw_crowd();
         if (out) out->add(update_ms, drawing.ms());
-    };
-    draw(CLQ_STRATEGY_PER_ZONE, per_zone);
-    draw(CLQ_STRATEGY_FUSED, fused);
+    }
 }
 
 void shader_frame(scenes::SceneRenderer &scene_renderer, parity_test::LivePeer &peer, double time_s, Measured *out)
@@ -91,7 +96,7 @@ void shader_frame(scenes::SceneRenderer &scene_renderer, parity_test::LivePeer &
 
 struct Row {
     uint32_t people = 0;
-    Measured per_zone, fused, shaders;
+    Measured cpu[cpu_ways], shaders;
 };
 
 // Memory for every palette and for almost no vertices: actors without cached vertices are skinned only when their
@@ -121,19 +126,30 @@ void expect_unskinned(const scenes::SceneRenderer &scene_renderer)
                               std::to_string(stats.visible));
 }
 
-// Alternating, so that all three meet the same machine; the first frame of each fills caches and compiles.
+// Alternating, so that all meet the same machine; the first frame of each fills caches and compiles.
 Row measure(const Arguments &a, scenes::Library &library, uint32_t count, const std::string &folder)
 {
     scenes::SceneRenderer cached(library, options_of(a, count));
     scenes::SceneOptions options = options_of(a, count);
     options.crowd_options.cache_budget_bytes = palette_bytes(cached);
     scenes::SceneRenderer palettes(library, options);
+    options = options_of(a, count);
+    options.crowd_options.vertex_format = CLQ_VERTEX_PACKED;
+    scenes::SceneRenderer packed(library, options);
+    options = options_of(a, count);
+    options.crowd_options.cache = CLQ_CACHE_NONE;
+    scenes::SceneRenderer uncached(library, options);
+
+    palettes.make_current();
     parity::write_scene(palettes, {a.scene, 0, a.width, a.height}, folder);
     parity_test::LivePeer peer(palettes.offscreen(), folder, palettes.view());
     Row row;
     for (int frame = 0; frame <= a.frames; ++frame) {
         const double time_s = 2 + frame / 25.0;
-        cpu_frame(cached, time_s, frame ? &row.per_zone : nullptr, frame ? &row.fused : nullptr);
+        const auto kept = [&](Way way) { return frame ? &row.cpu[way] : nullptr; };
+        cpu_frame(cached, time_s, {{CLQ_STRATEGY_PER_ZONE, kept(per_zone)}, {CLQ_STRATEGY_FUSED, kept(fused)}});
+        cpu_frame(packed, time_s, {{CLQ_STRATEGY_FUSED, kept(fused_packed)}});
+        cpu_frame(uncached, time_s, {{CLQ_STRATEGY_FUSED, kept(fused_uncached)}});
         shader_frame(palettes, peer, time_s, frame ? &row.shaders : nullptr);
         expect_unskinned(palettes);
     }
@@ -141,17 +157,21 @@ Row measure(const Arguments &a, scenes::Library &library, uint32_t count, const 
     return row;
 }
 
-void print(const std::vector<Row> &rows)
+void print(const std::vector<Row> &rows, const std::string &context)
 {
-    std::printf(
-        "| people in view | a pass a zone: update | draw | frames/s | fused: update | draw | frames/s | shaders: "
-        "update | "
-        "draw | frames/s | fused / shaders |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+    std::printf("%s; milliseconds (medians)\n\n| people in view |", context.c_str());
+    for (const char *name : way_names) std::printf(" %s: update | draw | frames/s |", name);
+    std::printf(" shaders: update | draw | frames/s | fused / shaders |\n|---|");
+    for (int column = 0; column < 3 * (cpu_ways + 1) + 1; ++column) std::printf("---|");
+    std::printf("\n");
     for (const Row &row : rows) {
         std::printf("| %u |", row.people);
-        for (const Measured *m : {&row.per_zone, &row.fused, &row.shaders})
-            std::printf(" %.3g | %.3g | %.3g |", m->update.median(), m->draw.median(), m->frames_a_second());
-        std::printf(" %.2f |\n", row.fused.frames_a_second() / row.shaders.frames_a_second());
+        const auto cells = [](const Measured &m) {
+            std::printf(" %.3g | %.3g | %.3g |", m.update.median(), m.draw.median(), m.frames_a_second());
+        };
+        for (const Measured &m : row.cpu) cells(m);
+        cells(row.shaders);
+        std::printf(" %.2f |\n", row.cpu[fused].frames_a_second() / row.shaders.frames_a_second());
     }
 }
 
@@ -159,19 +179,21 @@ charts::LineChart chart_of(const Arguments &a, const std::vector<Row> &rows, con
 {
     charts::LineChart chart;
     chart.title = "CPU path and shader path: frames a second by people in view";
-    chart.subtitle = a.scene + ", " + std::to_string(a.width) + " x " + std::to_string(a.height) + ", " + context;
+    chart.subtitle = a.scene + (a.levels ? ", levels, " : ", no levels, ") + std::to_string(a.width) + " x " +
+                     std::to_string(a.height) + ", " + context;
     chart.x = {"people in view", charts::Scale::logarithmic, {}, {}};
     chart.y = {"frames a second", charts::Scale::logarithmic, {}, {}};
-    charts::Series series[3];
-    series[0].name = "CPU path, a pass a zone (2005)";
-    series[1].name = "CPU path, fused";
-    series[2].name = "shader path";
-    for (const Row &row : rows) {
-        const Measured *measured[3] = {&row.per_zone, &row.fused, &row.shaders};
-        for (int i = 0; i < 3; ++i)
-            series[i].points.push_back({static_cast<double>(row.people), measured[i]->frames_a_second()});
-    }
-    chart.series.assign(series, series + 3);
+    const auto add = [&](const std::string &name, auto measured) {
+        charts::Series series;
+        series.name = name;
+        for (const Row &row : rows)
+            series.points.push_back({static_cast<double>(row.people), measured(row).frames_a_second()});
+        chart.series.push_back(series);
+    };
+    for (const Way way : {per_zone, fused, fused_packed, fused_uncached})
+        add("CPU path, " + std::string(way_names[way]),
+            [&](const Row &row) -> const Measured & { return row.cpu[way]; });
+    add("shader path", [](const Row &row) -> const Measured & { return row.shaders; });
     chart.note =
         "In the manner of S2's Fig. 11: the mean of the lowest and the highest rate; both paths on the same OpenGL.";
     return chart;
@@ -192,7 +214,7 @@ void run(const Arguments &a)
     if (const auto offscreen =
             contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
         context = offscreen->name();
-    print(rows);
+    print(rows, context);
     if (a.save.empty()) return;
     std::ofstream file(a.save);
     file << charts::json_of(chart_of(a, rows, context));
@@ -207,6 +229,10 @@ int main(int argc, char **argv)
     CLI::App app("S2's Fig. 11: the CPU path against the shader path.");
     app.add_option("--scene", a.scene, "As claque render has them");
     app.add_option("--counts", a.counts, "People, several runs")->delimiter(',')->check(CLI::Range(1, 1000000));
+    app.add_option_function<std::string>(
+           "--lod", [&](const std::string &lod) { a.levels = lod == "on"; },
+           "Levels of detail (default on); off: all at their finest")
+        ->check(CLI::IsMember({"off", "on"}));
     app.add_option("--frames", a.frames, "Of each kind and count")->check(CLI::Range(1, 10000));
     app.add_option("--width", a.width, "Of the picture")->check(CLI::Range(16, 16384));
     app.add_option("--height", a.height, "Of the picture")->check(CLI::Range(16, 16384));

@@ -70,6 +70,16 @@ void pop_client_attributes()
     if (active->forgets_vertex_array) real.VertexPointer(size, static_cast<gl::Enum>(type), stride, pointer);
 }
 
+void pop_attributes()
+{
+    active->note("glPopAttrib", {});
+    constexpr gl::Enum switches[] = {gl::multisample, gl::sample_alpha_to_coverage, gl::sample_alpha_to_one};
+    bool on[3];
+    for (int i = 0; i < 3; ++i) on[i] = real.IsEnabled(switches[i]) != gl::no;
+    real.PopAttrib();
+    for (int i = 0; active->forgets_samples && i < 3; ++i) on[i] ? real.Enable(switches[i]) : real.Disable(switches[i]);
+}
+
 using Table = std::map<std::string, GlFunction>;
 
 template <auto member>
@@ -145,6 +155,7 @@ const Table &table()
         add_drawing(t);
         t["glGetIntegerv"] = reinterpret_cast<GlFunction>(&get_integer);
         t["glPopClientAttrib"] = reinterpret_cast<GlFunction>(&pop_client_attributes);
+        t["glPopAttrib"] = reinterpret_cast<GlFunction>(&pop_attributes);
         t["glGetString"] = reinterpret_cast<GlFunction>(&get_string);
         return t;
     }();

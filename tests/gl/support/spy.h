@@ -29,6 +29,7 @@ public:
     std::map<gl::Enum, int32_t> answers;      // values that glGetIntegerv returns in place of GL's
     std::map<gl::Enum, std::string> strings;  // likewise for glGetString
     bool forgets_vertex_array = false;        // glPopClientAttrib leaves it as it is
+    bool forgets_samples = false;             // glPopAttrib leaves GL_MULTISAMPLE and its like as they are
 
     std::vector<std::string> asked;         // loaded names in order
     std::map<std::string, uint32_t> calls;  // since reset()

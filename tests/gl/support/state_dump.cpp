@@ -68,8 +68,7 @@ void dump_texturing(State &state, const HostGl &host)
                     {0x2802, 1, "GL_TEXTURE_WRAP_S"},
                     {0x2803, 1, "GL_TEXTURE_WRAP_T"},
                     {0x1004, 4, "GL_TEXTURE_BORDER_COLOR"},
-                    {0x8066, 1, "GL_TEXTURE_PRIORITY"},
-                    {0x8067, 1, "GL_TEXTURE_RESIDENT"}});
+                    {0x8066, 1, "GL_TEXTURE_PRIORITY"}});  // GL_TEXTURE_RESIDENT is GL's own decision
 }
 
 void dump_tables(State &state, const HostGl &host)
