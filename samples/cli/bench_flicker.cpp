@@ -19,18 +19,20 @@ namespace
 
 using Pixels = std::vector<uint8_t>;
 
-constexpr uint32_t samples = 16;
+constexpr uint32_t samples = 16, first_sample = 5;  // which no manner has among its pictures
 constexpr double slow_s = 1 / 100.0;  // of the path's time between two frames: a quarter of its speed at 25 a second
 
-// How people are drawn. Close textures are as far as their memory reaches.
+// How people are drawn. Close textures are as far as their memory reaches. `pictures`: the mean of so many, each moved
+// by a part of a pixel, as `claque render --samples` draws them.
 struct Manner {
     const char *name, *filter;
     int multisample;
-    uint32_t close_mib;
+    uint32_t close_mib, pictures;
 };
 constexpr Manner manners[] = {
-    {"as it was", "nearest", 1, 0}, {"smooth levels", "levels", 1, 0}, {"smooth, close", "levels", 1, 64},
-    {"4 samples", "nearest", 4, 0}, {"4, smooth", "levels", 4, 0},     {"4, smooth, close", "levels", 4, 64},
+    {"as it was", "nearest", 1, 0, 1},  {"smooth levels", "levels", 1, 0, 1}, {"smooth, close", "levels", 1, 64, 1},
+    {"4 samples", "nearest", 4, 0, 1},  {"4, smooth", "levels", 4, 0, 1},     {"4, smooth, close", "levels", 4, 64, 1},
+    {"2 pictures", "nearest", 1, 0, 2}, {"4 pictures", "nearest", 1, 0, 4},   {"4 pictures, smooth", "levels", 1, 0, 4},
 };
 
 // The squares of the steps between neighbouring pixels.
@@ -54,14 +56,14 @@ std::vector<int> error_of(const Pixels &a, const Pixels &b)
 }
 
 std::vector<Pixels> frames_of(scenes::SceneRenderer &renderer, const scenes::PathSection &section, int frames,
-                              uint32_t samples_a_pixel)
+                              uint32_t pictures, uint32_t first = 1)
 {
     renderer.make_current();
     const double middle_s = (section.start_s + section.end_s) / 2;
     renderer.hold_crowd(middle_s);
     std::vector<Pixels> out;
     for (int i = 0; i <= frames; ++i)
-        out.push_back(renderer.picture(middle_s + (i - frames * 0.5) * slow_s, samples_a_pixel));
+        out.push_back(renderer.picture(middle_s + (i - frames * 0.5) * slow_s, pictures, first));
     return out;
 }
 
@@ -108,9 +110,10 @@ Json bench_flicker(const BenchArguments &a)
             const std::vector<scenes::PathSection> &sections = renderer->path()->sections();
             for (size_t i = 0; i < sections.size(); ++i) {
                 // The first manner has one sample a pixel and the templates' own images.
-                if (&manner == manners) references.push_back(frames_of(*renderer, sections[i], a.frames, samples));
+                if (&manner == manners)
+                    references.push_back(frames_of(*renderer, sections[i], a.frames, samples, first_sample));
                 Json run = {{"section", sections[i].name}, {"levels", lod == "on"}, {"people", manner.name}};
-                run.update(measured(frames_of(*renderer, sections[i], a.frames, 1), references[i],
+                run.update(measured(frames_of(*renderer, sections[i], a.frames, manner.pictures), references[i],
                                     static_cast<size_t>(a.setup.width)));
                 report["runs"].push_back(std::move(run));
                 progress.step(report["runs"].size(), a.lods.size() * std::size(manners) * sections.size());
@@ -122,12 +125,12 @@ Json bench_flicker(const BenchArguments &a)
 
 void print_flicker(const Json &report)
 {
-    std::printf("odeon, %d x %d, %s, %d frames a section\n%-17s %-7s %-15s %8s %8s %9s\n",
+    std::printf("odeon, %d x %d, %s, %d frames a section\n%-19s %-7s %-15s %8s %8s %9s\n",
                 report["size_px"][0].get<int>(), report["size_px"][1].get<int>(),
                 report["context"].get<std::string>().c_str(), report["frames"].get<int>(), "people", "levels",
                 "section", "error", "flicker", "sharpness");
     for (const Json &run : report["runs"])
-        std::printf("%-17s %-7s %-15s %8.3f %8.3f %9.3f\n", run["people"].get<std::string>().c_str(),
+        std::printf("%-19s %-7s %-15s %8.3f %8.3f %9.3f\n", run["people"].get<std::string>().c_str(),
                     run["levels"].get<bool>() ? "on" : "off", run["section"].get<std::string>().c_str(),
                     run["error"].get<double>(), run["flicker"].get<double>(), run["sharpness"].get<double>());
     std::printf(

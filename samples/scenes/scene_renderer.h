@@ -101,8 +101,8 @@ public:
     const std::vector<uint8_t> &picture(double time_s);
     // The mean of `samples` pictures of one time, each moved by its part of a pixel: anti-aliasing without
     // multisampling (which is off), averaged over stored pixel values. All show the same poses, which are computed
-    // once. 1: as picture().
-    const std::vector<uint8_t> &picture(double time_s, uint32_t samples);
+    // once. 1: as picture(). Parts of a pixel are numbered; pictures with other numbers are independent of these.
+    const std::vector<uint8_t> &picture(double time_s, uint32_t samples, uint32_t first = 1);
     const std::vector<uint8_t> &read();
 
     // Another strategy for the same crowd in the same context, from the next draw on. Renderers are kept, so that

@@ -57,7 +57,7 @@ public:
         g.Enable(gl::fog);
     }
 
-    void draw_environment(const Gl &g, const Eye &eye) const override
+    void draw_environment(const Gl &g, const Eye &) const override
     {
         ground_.draw(g);
         g.Disable(gl::lighting);
