@@ -49,6 +49,16 @@ bool can_run(SimdLevel simd_level)
     return simd_level <= maximum;
 }
 
+bool has_avx()
+{
+#if defined(__x86_64__) || defined(__i386__)
+    static const bool has = (__builtin_cpu_init(), __builtin_cpu_supports("avx"));
+    return has;
+#else
+    return false;
+#endif
+}
+
 SimdLevel default_simd_level() { return simd_level_in_use().load(std::memory_order_relaxed); }
 
 void set_simd_level(SimdLevel simd_level) { simd_level_in_use().store(simd_level, std::memory_order_relaxed); }

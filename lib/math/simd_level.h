@@ -25,4 +25,7 @@ void set_simd_level(SimdLevel simd_level);
 // True if this processor can run it.
 bool can_run(SimdLevel simd_level);
 
+// True if this processor has AVX, with which simd128 takes fewer instructions for the same bits.
+bool has_avx();
+
 }  // namespace claque::math

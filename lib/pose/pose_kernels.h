@@ -54,6 +54,7 @@ struct PoseKernels {
 
 const PoseKernels &pose_kernels_of(math::SimdLevel simd_level);
 
-extern const PoseKernels pose_kernels_scalar, pose_kernels_128, pose_kernels_256;
+// pose_kernels_128_avx: the same lanes in fewer instructions; requires math::has_avx().
+extern const PoseKernels pose_kernels_scalar, pose_kernels_128, pose_kernels_128_avx, pose_kernels_256;
 
 }  // namespace claque::pose

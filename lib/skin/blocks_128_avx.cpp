@@ -10,19 +10,11 @@
 #define CLAQUE_BLOCKS_RUN run_128_avx_blocks
 #include "lib/skin/blocks_128.h"
 
-namespace claque::skin
-{
-
-bool has_avx() { return __builtin_cpu_supports("avx"); }
-
-}  // namespace claque::skin
-
 #else
 
 namespace claque::skin
 {
 
-bool has_avx() { return false; }
 void run_128_avx_blocks(const BlockRun &) {}  // never called
 
 }  // namespace claque::skin

@@ -73,8 +73,7 @@ void run_scalar(const Run &run);
 void run_128(const Run &run);
 void blend_128(const SetRun &run);
 void run_128_blocks(const BlockRun &run);
-void run_128_avx_blocks(const BlockRun &run);  // the same lanes in fewer instructions; requires has_avx()
-bool has_avx();
+void run_128_avx_blocks(const BlockRun &run);  // the same lanes in fewer instructions; requires math::has_avx()
 
 void run_256(const Run &run);
 void run_256_blocks(const BlockRun &run);

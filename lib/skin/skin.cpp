@@ -206,7 +206,7 @@ private:
         run.packed = packed_;
         if (simd_level == SimdLevel::fma) run_256_fma_blocks(run);
         else if (simd_level == SimdLevel::simd256) run_256_blocks(run);
-        else if (has_avx()) run_128_avx_blocks(run);
+        else if (math::has_avx()) run_128_avx_blocks(run);
         else run_128_blocks(run);
     }
 

@@ -70,34 +70,49 @@ struct Case {
     }
 };
 
+// All that this processor can run.
+std::vector<const PoseKernels *> all_kernels()
+{
+    std::vector<const PoseKernels *> all = {&pose_kernels_scalar, &pose_kernels_128};
+    if (math::has_avx()) all.push_back(&pose_kernels_128_avx);
+    if (math::can_run(math::SimdLevel::simd256)) all.push_back(&pose_kernels_256);
+    return all;
+}
+
 }  // namespace
 
 TEST(PoseSteps, GiveTheSameBitsOnEveryInstructionSet)
 {
     for (uint32_t seed = 0; seed < 200; ++seed) {
         Case expected(seed);
-        expected.go(pose_kernels_of(math::SimdLevel::scalar), seed % 2);
-        for (const math::SimdLevel simd_level : {math::SimdLevel::simd128, math::SimdLevel::simd256}) {
-            if (!math::can_run(simd_level)) continue;
+        expected.go(pose_kernels_scalar, seed % 2);
+        for (const PoseKernels *kernels : all_kernels()) {
             Case run(seed);
-            run.go(pose_kernels_of(simd_level), seed % 2);
-            ASSERT_EQ(0, std::memcmp(run.pose.data(), expected.pose.data(), 4 * run.pose.size())) << int(simd_level);
+            run.go(*kernels, seed % 2);
+            ASSERT_EQ(0, std::memcmp(run.pose.data(), expected.pose.data(), 4 * run.pose.size()));
             for (size_t i = 0; i < run.columns.size(); ++i)
-                ASSERT_EQ(0, std::memcmp(&run.columns[i], &expected.columns[i], sizeof run.columns[i]))
-                    << int(simd_level);
+                ASSERT_EQ(0, std::memcmp(&run.columns[i], &expected.columns[i], sizeof run.columns[i]));
             ASSERT_EQ(0, std::memcmp(run.palette.data(), expected.palette.data(), 48 * run.palette.size()));
         }
     }
 }
 
+// Each level names the fastest kernels for it.
+TEST(PoseSteps, AreThoseOfTheLevel)
+{
+    EXPECT_EQ(&pose_kernels_of(math::SimdLevel::scalar), &pose_kernels_scalar);
+    EXPECT_EQ(&pose_kernels_of(math::SimdLevel::simd128), math::has_avx() ? &pose_kernels_128_avx : &pose_kernels_128);
+    if (math::can_run(math::SimdLevel::simd256))
+        EXPECT_EQ(&pose_kernels_of(math::SimdLevel::simd256), &pose_kernels_256);
+}
+
 TEST(PoseSteps, WriteNothingBehindThePalette)
 {
-    for (const math::SimdLevel simd_level :
-         {math::SimdLevel::scalar, math::SimdLevel::simd128, math::SimdLevel::simd256}) {
+    for (const PoseKernels *kernels : all_kernels()) {
         Case run(1);
         run.palette.emplace_back();
         for (float &c : run.palette.back().c) c = 123;
-        run.go(pose_kernels_of(simd_level), true);
+        run.go(*kernels, true);
         for (const float c : run.palette.back().c) EXPECT_EQ(c, 123.0f);
     }
 }

@@ -99,7 +99,7 @@ TEST(SkinBlocks, HaveTheSameBitsOnEveryProcessor)
             const Made plain = blocks.made(run_128_blocks, own_normal_matrices);
             EXPECT_NE(plain.floats[3 * 94], -77.0f);
             EXPECT_EQ(plain.floats[3 * 95], -77.0f);
-            if (has_avx()) {
+            if (math::has_avx()) {
                 EXPECT_TRUE(plain == blocks.made(run_128_avx_blocks, own_normal_matrices)) << influences;
             }
             if (math::can_run(SimdLevel::simd256)) {
