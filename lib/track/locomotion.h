@@ -68,6 +68,7 @@ struct Locomotion {
     pose::Leg legs[2];  // left, right
     pose::Upper upper;
     float leg_length = 0;
+    uint64_t hash = 0;  // of what measure() found (track_file.h): a track loads by it, and there may be many tracks
 
     float max_gait() const { return clips.run == model::none ? 1.0f : 2.0f; }
     // Model units a second, at the clips' own pace.

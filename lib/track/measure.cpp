@@ -6,6 +6,7 @@
 #include "lib/pose/pose.h"
 #include "lib/track/clip_checks.h"
 #include "lib/track/sole.h"
+#include "lib/track/track_file.h"
 
 namespace claque::track
 {
@@ -261,6 +262,7 @@ void measure(const model::Template &tmpl, const LocomotionClips &clips, Locomoti
     set_phases(out, work);
     for (uint32_t step = 0; step < gait_step_count; ++step) measure_step(out, step, work);
     check_speeds(tmpl, out);
+    out.hash = hash_of(out);
 }
 
 }  // namespace claque::track

@@ -144,7 +144,7 @@ void save(const Track &track, Array<uint8_t> &out)
 {
     out.reserve(out.size() + track.bytes() + 256);
     base::append_file(track.climbs ? climbing_form : form, out, [&](auto &archive) {
-        archive.value(hash_of(*track.locomotion));
+        archive.value(track.locomotion->hash);
         walk(archive, track);
         if (track.climbs) walk_heights(archive, track);
     });
@@ -156,7 +156,7 @@ void load(const uint8_t *bytes, size_t size, const Locomotion &locomotion, Track
     base::ArchiveReader<> in = base::open_file(climbs ? climbing_form : form, bytes, size);
     uint64_t made_for = 0;
     in.value(made_for);
-    if (made_for != hash_of(locomotion))
+    if (made_for != locomotion.hash)
         fail(CLQ_ARGUMENT, "the saved track was made for another locomotion: its template or its clips differ");
     out.locomotion = &locomotion;
     walk(in, out);
