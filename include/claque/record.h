@@ -88,6 +88,14 @@ typedef struct clq_record clq_record;
  * Fails: ARGUMENT (NULL), FORMAT (with the place), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_record_load(clq_context *context, const void *bytes, size_t size_bytes, clq_record **out);
 
+/* Opens a record by its index, which clq_crowd_end_recording writes: of a file that is mapped into memory only that is
+ * read which is played, each part when it is first needed, and it is checked then. A record without an index, because
+ * it was cut off or written by a version before 0.3, is opened as by clq_record_load. What is played is the same.
+ *   bytes, out   as for clq_record_load
+ * Fails: as clq_record_load, for the index. A part that was changed is refused by the call that plays it (FORMAT).
+ * Threads: any. */
+CLQ_API clq_status clq_record_open(clq_context *context, const void *bytes, size_t size_bytes, clq_record **out);
+
 /* Destroys a record; NULL is ignored. Crowds into which it was played keep what they need. Threads: any, not while
  * another call uses the record. */
 CLQ_API void clq_record_destroy(clq_record *record);
@@ -99,6 +107,9 @@ typedef struct clq_record_info {
     uint64_t step_count, call_count, state_count;
     double start_s, end_s; /* the earliest and the latest time of a step; 0 without steps */
     uint64_t bytes;        /* memory held, without the host's bytes */
+    /* Of the host's bytes, how many were looked at so far: all after clq_record_load. After clq_record_open each track
+     * that was needed counts besides the part in which it lies. */
+    uint64_t read_bytes;
 } clq_record_info;
 
 CLQ_DEFINE_ZERO_INIT(clq_record_info)

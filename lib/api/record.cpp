@@ -14,7 +14,9 @@ using namespace claque;
 
 clq_record::~clq_record()
 {
-    for (clq_track *track : tracks) api::release(track);
+    for (clq_track *track : tracks)
+        if (track) api::release(track);
+    for (const clq_locomotion *walk : walks) api::release(walk);
     for (clq_template *tmpl : templates) api::release(tmpl);
 }
 
@@ -27,9 +29,9 @@ uint64_t next_record_id()
     return ++last;
 }
 
-void read(clq_record &out, const void *bytes, size_t size)
+// What is known of a record, once its contents were read or opened.
+void describe(clq_record &out)
 {
-    out.contents.read(static_cast<const uint8_t *>(bytes), size);
     const record::Entry &entry = out.contents.crowd_def;
     crowd::Reader in("the definition of a recorded crowd", entry.fields, entry.size);
     record::walk_crowd_def(in, out.crowd_def);
@@ -39,69 +41,75 @@ void read(clq_record &out, const void *bytes, size_t size)
     out.id = next_record_id();
 }
 
-// The templates and tracks of a record, given back unless they are kept.
+// The templates, locomotions and tracks of a record, given back unless they are kept.
 struct Given {
-    explicit Given(clq_context *owner) : context(owner), templates(&owner->memory), tracks(&owner->memory) {}
+    explicit Given(clq_context *owner)
+        : context(owner), templates(&owner->memory), walks(&owner->memory), tracks(&owner->memory)
+    {
+    }
     Given(const Given &) = delete;
     Given &operator=(const Given &) = delete;
     ~Given()
     {
-        for (clq_track *track : tracks) api::release(track);
+        for (clq_track *track : tracks)
+            if (track) api::release(track);
+        for (const clq_locomotion *walk : walks) api::release(walk);
     }
     clq_context *context;
     std::pmr::vector<clq_template *> templates;
+    std::pmr::vector<const clq_locomotion *> walks;
     std::pmr::vector<clq_track *> tracks;
 };
 
-// Of the host for the time of the loading; tracks hold it on.
-class Walk
+void measure_walks(const clq_record &of, Given &given)
 {
-public:
-    Walk(clq_context *context, clq_template *tmpl, const track::LocomotionClips &clips)
-        : made_(api::make<clq_locomotion>(context, tmpl))
-    {
-        try {
-            track::measure(*tmpl, clips, *made_);
-        } catch (...) {
-            api::release(made_);
-            throw;
-        }
-    }
-    Walk(Walk &&other) noexcept : made_(std::exchange(other.made_, nullptr)) {}
-    Walk &operator=(Walk &&) = delete;
-    ~Walk()
-    {
-        if (made_) api::release(made_);
-    }
-    const clq_locomotion *get() const { return made_; }
-
-private:
-    clq_locomotion *made_;
-};
-
-void load_tracks(const clq_record &of, Given &given)
-{
-    std::pmr::vector<Walk> walks(&of.context->memory);
+    given.walks.reserve(of.contents.locomotions.size());
     for (const record::RecordedLocomotion &one : of.contents.locomotions) {
+        clq_locomotion *made = api::make<clq_locomotion>(of.context, given.templates[one.tmpl]);
+        given.walks.push_back(made);
         try {
-            walks.emplace_back(of.context, given.templates[one.tmpl], one.clips);
+            track::measure(*given.templates[one.tmpl], one.clips, *made);
         } catch (const base::Error &error) {
-            base::fail(CLQ_FORMAT, "locomotion %zu of the record: %s", walks.size(), error.what());
+            base::fail(CLQ_FORMAT, "locomotion %zu of the record: %s", given.walks.size() - 1, error.what());
         }
-    }
-    given.tracks.reserve(of.contents.tracks.size());
-    for (const record::RecordedTrack &one : of.contents.tracks) {
-        api::Making<clq_track> made(of.context, walks[one.locomotion].get());
-        try {
-            track::load(one.bytes, one.size, *walks[one.locomotion].get(), *made);
-        } catch (const base::Error &error) {
-            base::fail(error.status(), "track %zu of the record: %s", given.tracks.size(), error.what());
-        }
-        given.tracks.push_back(made.release());
     }
 }
 
+clq_track *load_track(const clq_record &of, const std::pmr::vector<const clq_locomotion *> &walks, uint32_t number)
+{
+    const record::RecordedTrack one = of.contents.track(number);
+    api::Making<clq_track> made(of.context, walks[one.locomotion]);
+    try {
+        track::load(one.bytes, one.size, *walks[one.locomotion], *made);
+    } catch (const base::Error &error) {
+        base::fail(error.status(), "track %u of the record: %s", number, error.what());
+    }
+    return made.release();
+}
+
+void load_tracks(const clq_record &of, Given &given)
+{
+    given.tracks.resize(of.contents.track_count());
+    if (of.contents.is_in_parts()) return;
+    for (uint32_t i = 0; i < given.tracks.size(); ++i) given.tracks[i] = load_track(of, given.walks, i);
+}
+
 }  // namespace
+
+const clq_track &claque::api::borrow_track(const clq_record &played, clq_crowd *crowd, uint32_t number)
+{
+    if (number >= played.tracks.size())
+        base::fail(CLQ_FORMAT, "a record names track %u of %zu", number, played.tracks.size());
+    clq_track *track = nullptr;
+    {
+        const std::lock_guard lock(played.making);
+        clq_track *&own = played.tracks[number];
+        if (!own) own = load_track(played, played.walks, number);
+        track = own;
+    }
+    if (crowd->tracks.insert(track).second) hold(track);
+    return *track;
+}
 
 extern "C" {
 
@@ -150,7 +158,19 @@ clq_status clq_record_load(clq_context *context, const void *bytes, size_t size_
     return api::boundary("clq_record_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
         api::Making<clq_record> made(context, context);
-        read(*made, bytes, size_bytes);
+        made->contents.read(static_cast<const uint8_t *>(bytes), size_bytes);
+        describe(*made);
+        *out = made.release();
+    });
+}
+
+clq_status clq_record_open(clq_context *context, const void *bytes, size_t size_bytes, clq_record **out)
+{
+    return api::boundary("clq_record_open", [&] {
+        api::require(context && bytes && out, "context, bytes or out is NULL");
+        api::Making<clq_record> made(context, context);
+        made->contents.open(static_cast<const uint8_t *>(bytes), size_bytes);
+        describe(*made);
         *out = made.release();
     });
 }
@@ -169,16 +189,14 @@ clq_status clq_record_get_info(const clq_record *record, clq_record_info *out)
         clq_record_info info = clq_record_info_init();
         info.whole = contents.is_whole;
         info.template_count = static_cast<uint32_t>(contents.templates.size());
-        info.track_count = static_cast<uint32_t>(contents.tracks.size());
-        info.step_count = contents.steps.size(), info.call_count = contents.call_count;
+        info.track_count = static_cast<uint32_t>(contents.track_count());
+        info.step_count = contents.step_count(), info.call_count = contents.call_count;
         info.state_count = contents.states.size();
-        if (!contents.steps.empty()) {
-            info.start_s = contents.steps.front().earliest_s;
-            info.end_s = info.start_s;
-            for (const record::Step &step : contents.steps) info.end_s = std::max(info.end_s, step.time_s);
-        }
+        info.start_s = contents.start_s, info.end_s = contents.end_s;
         info.bytes = sizeof *record + contents.bytes();
-        for (const clq_track *track : record->tracks) info.bytes += track->bytes();
+        const std::lock_guard lock(record->making);
+        for (const clq_track *track : record->tracks) info.bytes += track ? track->bytes() : 0;
+        info.read_bytes = contents.read_bytes();
         api::write_out(out, info);
     });
 }
@@ -207,9 +225,11 @@ clq_status clq_record_set_templates(clq_record *record, clq_template *const *tem
         Given given(record->context);
         for (const record::RecordedTemplate &wanted : record->contents.templates)
             given.templates.push_back(api::take_template(left, wanted.name, wanted.structure, "the recorded crowd"));
+        measure_walks(*record, given);
         load_tracks(*record, given);
         for (clq_template *tmpl : given.templates) api::hold(tmpl);
         record->templates.swap(given.templates);
+        record->walks.swap(given.walks);
         record->tracks.swap(given.tracks);
     });
 }
@@ -228,10 +248,10 @@ clq_status clq_record_get_time(const clq_record *record, uint64_t step, double *
 {
     return api::boundary("clq_record_get_time", [&] {
         api::require(record && out_s, "record or out_s is NULL");
-        if (step >= record->contents.steps.size())
-            base::fail(CLQ_ARGUMENT, "step %llu does not exist: the record has %zu", base::big(step),
-                       record->contents.steps.size());
-        *out_s = record->contents.steps[step].time_s;
+        if (step >= record->contents.step_count())
+            base::fail(CLQ_ARGUMENT, "step %llu does not exist: the record has %llu", base::big(step),
+                       base::big(record->contents.step_count()));
+        *out_s = record->contents.step(step).time_s;
     });
 }
 

@@ -95,9 +95,7 @@ public:
     }
     void on(const record::ActorFollowTrack &c)
     {
-        if (c.track >= played_.tracks.size())
-            fail(CLQ_FORMAT, "a record names track %u of %zu", c.track, played_.tracks.size());
-        crowd::follow_track(to_, id_of(c.actor), *played_.tracks[c.track], c.start_s);
+        crowd::follow_track(to_, id_of(c.actor), borrow_track(played_, handle_, c.track), c.start_s);
     }
     void on(const record::ActorFadeToTrack &c)
     {

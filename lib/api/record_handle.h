@@ -4,6 +4,8 @@
 
 #include <claque/record.h>
 
+#include <mutex>
+
 #include "lib/api/host_resolver.h"
 #include "lib/api/track_handle.h"
 
@@ -14,6 +16,7 @@ struct clq_record {
           names(&owner->memory),
           templates(&owner->memory),
           tracks(&owner->memory),
+          walks(&owner->memory),
           lent(&owner->memory)
     {
     }
@@ -24,7 +27,10 @@ struct clq_record {
     clq_crowd_def crowd_def = clq_crowd_def_init();
     std::pmr::vector<std::pmr::string> names;    // of the templates
     std::pmr::vector<clq_template *> templates;  // by number; empty until they are given
-    std::pmr::vector<clq_track *> tracks;        // by number
+    // By number. Of a record that is read in parts they are null until they are needed.
+    mutable std::pmr::vector<clq_track *> tracks;
+    mutable std::mutex making;                       // of those
+    std::pmr::vector<const clq_locomotion *> walks;  // by number
     claque::api::LentMechanisms lent;
     uint64_t id = 0;  // of no other record of this process
 };
@@ -34,6 +40,9 @@ namespace claque::api
 
 // Makes the calls of a crowd's record up to a place. Throws base::Error; the crowd is then in a state between.
 void play_to(const clq_record &played, clq_crowd *crowd, const record::Cursor &target);
+
+// The track of a number, loaded, and held by the crowd. Throws base::Error.
+const clq_track &borrow_track(const clq_record &played, clq_crowd *crowd, uint32_t number);
 
 // Makes one call. Throws base::Error.
 void apply(const clq_record &played, clq_crowd *crowd, const record::Entry &entry);

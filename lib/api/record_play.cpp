@@ -28,13 +28,15 @@ void borrow(const clq_record &played, clq_crowd *crowd)
         hold(tmpl);
         crowd->held.push_back(tmpl);
     }
-    for (clq_track *track : played.tracks)
-        if (crowd->tracks.insert(track).second) hold(track);
+    if (!played.contents.is_in_parts())
+        for (uint32_t i = 0; i < played.tracks.size(); ++i) borrow_track(played, crowd, i);
     crowd->lender = played.id;
 }
 
-void restore(const clq_record &played, clq_crowd *crowd, const record::Entry &entry)
+void restore(const clq_record &played, clq_crowd *crowd, const record::Cursor &cursor, const record::Entry &entry)
 {
+    if (played.contents.is_in_parts())
+        played.contents.each_track_of(cursor, [&](uint32_t number) { borrow_track(played, crowd, number); });
     std::pmr::memory_resource *memory = &crowd->context->memory;
     const record::StateFields state(entry, memory);
     std::pmr::vector<clq_template *> templates(memory);
@@ -78,11 +80,13 @@ void play_to(const clq_record &played, clq_crowd *crowd, const record::Cursor &t
     borrow(played, crowd);
     const bool on = goes_on(contents, crowd, played.id, target);
     record::Cursor next = on ? crowd->played.next : contents.state_before(target);
+    contents.require_entries(next, target);
     crowd->played = {};
     for (bool first = !on; next < target; first = false) {
         const record::Entry entry = contents.entry(next);
         as_format(next, [&] {
-            if (entry.kind == Kind::state || (first && entry.kind == Kind::key_state)) restore(played, crowd, entry);
+            if (entry.kind == Kind::state || (first && entry.kind == Kind::key_state))
+                restore(played, crowd, next, entry);
             else if (entry.kind >= Kind::first_call) apply(played, crowd, entry);
         });
         next = contents.after(next);
@@ -102,10 +106,10 @@ void play_step(const clq_record *played, clq_crowd *crowd, uint64_t step)
         base::fail(CLQ_ARGUMENT, "the record has no templates yet: clq_record_set_templates gives them");
     api::require(crowd->context == played->context, "the record is of another context");
     api::require(!crowd->recorder, "the crowd is recorded itself: end its recording before a record is played into it");
-    if (step > contents.steps.size())
-        base::fail(CLQ_ARGUMENT, "step %llu does not exist: the record has %zu", base::big(step),
-                   contents.steps.size());
-    api::play_to(*played, crowd, step < contents.steps.size() ? contents.steps[step].cursor : contents.end());
+    if (step > contents.step_count())
+        base::fail(CLQ_ARGUMENT, "step %llu does not exist: the record has %llu", base::big(step),
+                   base::big(contents.step_count()));
+    api::play_to(*played, crowd, step < contents.step_count() ? contents.step(step).cursor : contents.end());
 }
 
 }  // namespace
@@ -127,10 +131,11 @@ clq_status clq_record_play(const clq_record *record, clq_crowd *crowd, double ti
         api::require(record && crowd, "record or crowd is NULL");
         if (!std::isfinite(time_s)) base::fail(CLQ_ARGUMENT, "time_s is not finite");
         const api::Busy busy(crowd);
-        const auto &steps = record->contents.steps;
-        const bool after = steps.empty() || time_s > steps.back().time_s;
-        const bool last = !steps.empty() && record->contents.step_at(time_s) + 1 == steps.size();
-        play_step(record, crowd, steps.empty() || (after && last) ? steps.size() : record->contents.step_at(time_s));
+        const record::Contents &contents = record->contents;
+        if (contents.step_count() == 0) return play_step(record, crowd, 0);
+        const uint64_t step = contents.step_at(time_s), count = contents.step_count();
+        const bool after = step + 1 == count && time_s > contents.step(step).time_s;
+        play_step(record, crowd, after ? count : step);
     });
 }
 

@@ -21,7 +21,9 @@ Recorder::Recorder(const clq_crowd &crowd, const clq_recording_def &def)
       templates_(&crowd.context->memory),
       locomotions_(&crowd.context->memory),
       tracks_(&crowd.context->memory),
-      info_(clq_recording_info_init())
+      info_(clq_recording_info_init()),
+      index_(&crowd.context->memory),
+      descriptions_(&crowd.context->memory)
 {
 }
 
@@ -30,7 +32,7 @@ void Recorder::begin()
     uint8_t header[record::file_header_bytes] = {};
     std::copy(std::begin(record::magic), std::end(record::magic), header);
     header[8] = record::version;
-    blocks_.entry(Kind::crowd_def, [&](crowd::Writer &out) { record::walk_crowd_def(out, crowd_.def); });
+    describe(Kind::crowd_def, [&](crowd::Writer &out) { record::walk_crowd_def(out, crowd_.def); });
     state(Kind::state);
     give(header, sizeof header);
     flush();
@@ -42,6 +44,8 @@ void Recorder::step(double time_s) noexcept
         if (written() - state_end_ >= std::max(def_.key_bytes, state_bytes_))
             state(Kind::key_state), ++info_.key_states;
         blocks_.entry(Kind::step, [&](crowd::Writer &out) { out.value(time_s); });
+        index_.end_s = info_.steps ? std::max(index_.end_s, time_s) : time_s;
+        index_.states.back().earliest_s = std::min(index_.states.back().earliest_s, time_s);
         ++info_.steps;
         flush();
     });
@@ -50,8 +54,29 @@ void Recorder::step(double time_s) noexcept
 void Recorder::end() noexcept
 {
     guarded([&] {
-        blocks_.entry(Kind::end, [](crowd::Writer &) {});
+        if (blocks_.contents_size() > 0) flush();
+        try {
+            index();
+        } catch (const std::exception &) {  // no memory, or more than a block can be: a record does without it
+            blocks_.clear();
+            blocks_.entry(Kind::end, [](crowd::Writer &) {});
+        }
         flush();
+    });
+}
+
+void Recorder::index()
+{
+    for (size_t i = index_.states.size(); i-- > 1;)
+        index_.states[i - 1].earliest_s = std::min(index_.states[i - 1].earliest_s, index_.states[i].earliest_s);
+    index_.step_count = info_.steps, index_.call_count = blocks_.calls();
+    blocks_.entry(Kind::index, [&](crowd::Writer &out) {
+        record::walk_index(out, index_);
+        out.flush();
+        blocks_.take(descriptions_.data(), descriptions_.size());
+    });
+    blocks_.entry(Kind::end, [&](crowd::Writer &out) {
+        out.value(block_at()), out.value(static_cast<uint32_t>(blocks_.number()));
     });
 }
 
@@ -59,7 +84,7 @@ clq_recording_info Recorder::info() const
 {
     clq_recording_info out = info_;
     out.tracks = tracks_.size();
-    out.held_bytes = blocks_.held_bytes();
+    out.held_bytes = blocks_.held_bytes() + descriptions_.capacity() + index_.bytes();
     return out;
 }
 
@@ -91,7 +116,7 @@ uint32_t Recorder::number_of(const model::Template &tmpl)
     const auto found = std::find(templates_.begin(), templates_.end(), &tmpl);
     const uint32_t number = static_cast<uint32_t>(found - templates_.begin());
     if (found != templates_.end()) return number;
-    blocks_.entry(Kind::tmpl, [&](crowd::Writer &out) {
+    describe(Kind::tmpl, [&](crowd::Writer &out) {
         out.value(crowd::structure_hash(tmpl));
         for (const char c : tmpl.name) out.value(c);
     });
@@ -101,13 +126,13 @@ uint32_t Recorder::number_of(const model::Template &tmpl)
 
 uint32_t Recorder::number_of(const track::Locomotion &locomotion)
 {
-    const Key key(track::hash_of(locomotion), locomotion.tmpl);
+    const Key key(locomotion.hash, locomotion.tmpl);
     if (const auto found = locomotions_.find(key); found != locomotions_.end()) return found->second;
     const uint32_t number = static_cast<uint32_t>(locomotions_.size());
     if (number >= record::max_locomotions)
         fail(CLQ_LIMIT, "a record has at most %u locomotions", record::max_locomotions);
     const uint32_t tmpl = number_of(*locomotion.tmpl);
-    blocks_.entry(Kind::locomotion, [&](crowd::Writer &out) {
+    describe(Kind::locomotion, [&](crowd::Writer &out) {
         out.value(tmpl);
         record::walk_clips(out, locomotion.clips);
     });
@@ -122,6 +147,7 @@ uint32_t Recorder::number_of(const track::Track &track)
     const uint32_t locomotion = number_of(*track.locomotion), number = static_cast<uint32_t>(tracks_.size());
     model::Array<uint8_t> bytes(&crowd_.context->memory);
     track::save(track, bytes);
+    index_.tracks.push_back(entry_at());
     blocks_.entry(Kind::track, [&](crowd::Writer &out) {
         out.value(locomotion);
         out.flush();
@@ -173,13 +199,15 @@ void Recorder::state(Kind kind)
 {
     const crowd::Crowd &crowd = crowd_.crowd;
     for (const model::Template *tmpl : crowd.templates()) number_of(*tmpl);
+    model::Array<uint32_t> tracks(&crowd_.context->memory);
     for (uint32_t row = 0; row < crowd.row_count(); ++row) {
         const crowd::Follow *follow = crowd.alive(row) ? crowd.follows().of(row) : nullptr;
         if (!follow) continue;
-        number_of(*follow->track);
+        tracks.push_back(number_of(*follow->track));
         for (const track::Track *earlier : follow->earlier)
-            if (earlier) number_of(*earlier);
+            if (earlier) tracks.push_back(number_of(*earlier));
     }
+    note_state(tracks);
     const size_t before = blocks_.contents_size();
     blocks_.entry(kind, [&](crowd::Writer &out) {
         out.count(crowd.templates().count);
@@ -189,6 +217,24 @@ void Recorder::state(Kind kind)
     });
     state_bytes_ = blocks_.contents_size() - before;
     state_end_ = written();
+}
+
+// Its entry is the next one.
+void Recorder::note_state(model::Array<uint32_t> &tracks)
+{
+    record::IndexedState made;
+    made.at = entry_at(), made.block_at = block_at(), made.block = static_cast<uint32_t>(blocks_.number());
+    made.steps_before = info_.steps, made.first_run = static_cast<uint32_t>(index_.runs.size());
+    std::sort(tracks.begin(), tracks.end());
+    tracks.erase(std::unique(tracks.begin(), tracks.end()), tracks.end());
+    for (const uint32_t number : tracks) {
+        const bool goes_on =
+            index_.runs.size() > made.first_run && index_.runs.back().first + index_.runs.back().count == number;
+        if (!goes_on) index_.runs.push_back({number, 0});
+        ++index_.runs.back().count;
+    }
+    made.runs = static_cast<uint32_t>(index_.runs.size()) - made.first_run;
+    index_.states.push_back(made);
 }
 
 void end_recording(clq_crowd *crowd) noexcept

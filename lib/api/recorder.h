@@ -4,11 +4,13 @@
 
 #include <claque/record.h>
 
+#include <algorithm>
 #include <map>
 
 #include "lib/api/crowd_handle.h"
 #include "lib/api/track_handle.h"
 #include "lib/record/block_writer.h"
+#include "lib/record/index.h"
 
 namespace claque::api
 {
@@ -70,10 +72,24 @@ private:
         }
     }
     void state(record::Kind kind);
+    // An entry that the index repeats.
+    template <class Body>
+    void describe(record::Kind kind, const Body &body)
+    {
+        const size_t before = blocks_.contents_size();
+        blocks_.entry(kind, body);
+        descriptions_.insert(descriptions_.end(), blocks_.contents() + before,
+                             blocks_.contents() + blocks_.contents_size());
+    }
+    void index();
+    void note_state(model::Array<uint32_t> &tracks);
     void stop(clq_status status, const char *text) noexcept;
     void flush();
     void give(const uint8_t *bytes, size_t size);
     uint64_t written() const { return info_.bytes + blocks_.contents_size(); }
+    // Of the block that is being made, and of its next entry. The header of the file is given with the first block.
+    uint64_t block_at() const { return std::max<uint64_t>(info_.bytes, record::file_header_bytes); }
+    uint64_t entry_at() const { return block_at() + record::block_header_bytes + blocks_.contents_size(); }
     uint32_t number_of(const model::Template &tmpl);
     uint32_t number_of(const track::Locomotion &locomotion);
     uint32_t number_of(const track::Track &track);
@@ -87,6 +103,8 @@ private:
     std::pmr::map<Key, uint32_t> locomotions_, tracks_;
     clq_recording_info info_;
     uint64_t state_bytes_ = 0, state_end_ = 0;
+    record::Index index_;
+    model::Array<uint8_t> descriptions_;
 };
 
 void end_recording(clq_crowd *crowd) noexcept;  // if it is recorded

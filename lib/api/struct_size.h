@@ -2,6 +2,7 @@
 #pragma once
 
 #include <claque/crowd.h>
+#include <claque/record.h>
 
 #include <cstddef>
 #include <cstring>
@@ -22,6 +23,12 @@ struct EarlierSizes {
 template <>
 struct EarlierSizes<clq_crowd_def> {
     static constexpr uint32_t sizes[] = {offsetof(clq_crowd_def, motion_tolerance_px)};
+};
+
+// From 0.3 on it has read_bytes.
+template <>
+struct EarlierSizes<clq_record_info> {
+    static constexpr uint32_t sizes[] = {offsetof(clq_record_info, read_bytes)};
 };
 
 template <class Struct>

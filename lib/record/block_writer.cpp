@@ -21,6 +21,7 @@ void BlockWriter::open(Kind kind)
 {
     bytes_.insert(bytes_.end(), entry_header_bytes, 0);
     bytes_.back() = static_cast<uint8_t>(kind);
+    if (is_call(kind)) ++calls_;
 }
 
 void BlockWriter::close(size_t begin)

@@ -35,6 +35,9 @@ public:
     void take(const uint8_t *bytes, size_t count) override { bytes_.insert(bytes_.end(), bytes, bytes + count); }
 
     size_t contents_size() const { return bytes_.size() - block_header_bytes; }
+    const uint8_t *contents() const { return bytes_.data() + block_header_bytes; }
+    uint64_t number() const { return number_; }
+    uint64_t calls() const { return calls_; }  // entries that are calls, so far
     uint64_t held_bytes() const { return bytes_.capacity(); }
     const model::Array<uint8_t> &sealed();  // with its header; then clear()
     void clear();
@@ -44,7 +47,7 @@ private:
     void close(size_t begin);
 
     model::Array<uint8_t> bytes_;
-    uint64_t number_ = 0;
+    uint64_t number_ = 0, calls_ = 0;
 };
 
 // Of one element of crowd_set_transforms.

@@ -51,39 +51,53 @@ RecordedLocomotion locomotion_of(const Entry &entry)
     return out;
 }
 
-bool is_call(Kind kind) { return kind >= Kind::first_call && kind < Kind::after_calls; }
-
 }  // namespace
+
+void Contents::check_file(const uint8_t *bytes, size_t size)
+{
+    if (size < file_header_bytes || !std::equal(magic, magic + 8, bytes)) fail(CLQ_FORMAT, "these bytes are no record");
+    if (const uint32_t found = number_at<uint32_t>(bytes + 8); found < first_version || found > version)
+        fail(CLQ_FORMAT, "a record of version %u; this library reads versions %u to %u", found, first_version, version);
+    if (number_at<uint32_t>(bytes + 12) != 0) fail(CLQ_FORMAT, "the header of a record was changed");
+    bytes_ = bytes;
+}
+
+uint64_t Contents::read_header(uint64_t at, uint64_t number) const
+{
+    const uint8_t *header = bytes_ + at;
+    const uint32_t contents = number_at<uint32_t>(header);
+    if (number_at<uint32_t>(header + 4) != check_of_header(contents, number_at<uint64_t>(header + 8), number))
+        fail(CLQ_FORMAT, "block %llu of a record, at byte %llu, was changed or is another one", big(number), big(at));
+    return contents;
+}
+
+void Contents::check_contents(uint64_t at, uint64_t size, uint64_t number) const
+{
+    const uint8_t *header = bytes_ + at;
+    if (checksum_of(header + block_header_bytes, static_cast<uint32_t>(size), number) !=
+        number_at<uint64_t>(header + 8))
+        fail(CLQ_FORMAT, "block %llu of a record, at byte %llu, was changed", big(number), big(at));
+}
 
 void Contents::read(const uint8_t *bytes, size_t size)
 {
-    if (size < file_header_bytes || !std::equal(magic, magic + 8, bytes)) fail(CLQ_FORMAT, "these bytes are no record");
-    if (const uint32_t found = number_at<uint32_t>(bytes + 8); found != version)
-        fail(CLQ_FORMAT, "a record of version %u; this library reads version %u", found, version);
-    if (number_at<uint32_t>(bytes + 12) != 0) fail(CLQ_FORMAT, "the header of a record was changed");
-    bytes_ = bytes;
+    check_file(bytes, size);
     uint64_t at = file_header_bytes;
     while (size - at >= block_header_bytes && !is_whole) {
-        const uint64_t number = ends_.size();
-        const uint8_t *header = bytes + at;
-        const uint32_t contents = number_at<uint32_t>(header);
-        const uint64_t checksum = number_at<uint64_t>(header + 8);
-        if (number_at<uint32_t>(header + 4) != check_of_header(contents, checksum, number))
-            fail(CLQ_FORMAT, "block %llu of a record, at byte %llu, was changed or is another one", big(number),
-                 big(at));
+        const uint64_t number = ends_.size(), contents = read_header(at, number);
         if (contents > size - at - block_header_bytes) break;
-        if (checksum_of(header + block_header_bytes, contents, number) != checksum)
-            fail(CLQ_FORMAT, "block %llu of a record, at byte %llu, was changed", big(number), big(at));
+        check_contents(at, contents, number);
         at += block_header_bytes + contents;
         ends_.push_back(at);
         read_block(at);
     }
     if (is_whole && at != size) fail(CLQ_FORMAT, "a record has %llu bytes after its end", big(size - at));
     if (states.empty()) fail(CLQ_FORMAT, "a record of %zu bytes ends before its first state", size);
-    for (size_t i = steps.size(); i-- > 0;) {
-        steps[i].earliest_s = steps[i].time_s;
-        if (i + 1 < steps.size()) steps[i].earliest_s = std::min(steps[i].time_s, steps[i + 1].earliest_s);
-    }
+    find_earliest(steps_.data(), steps_.size(), HUGE_VAL);
+    read_bytes_ = size;
+    if (steps_.empty()) return;
+    start_s = end_s = steps_.front().earliest_s;
+    for (const Step &step : steps_) end_s = std::max(end_s, step.time_s);
 }
 
 void Contents::read_block(uint64_t end)
@@ -91,14 +105,36 @@ void Contents::read_block(uint64_t end)
     const uint32_t block = static_cast<uint32_t>(ends_.size() - 1);
     Cursor cursor{(block ? ends_[block - 1] : file_header_bytes) + block_header_bytes, block};
     while (cursor.at < end) {
-        const uint64_t left = end - cursor.at;
-        const uint32_t size = left < entry_header_bytes ? 0 : number_at<uint32_t>(bytes_ + cursor.at);
-        if (size < 1 || size > left - sizeof size)
-            fail(CLQ_FORMAT, "the entry at byte %llu of a record is longer than its block", big(cursor.at));
+        const Entry entry = checked_entry(cursor.at, end);
         if (is_whole) fail(CLQ_FORMAT, "a record has an entry after its end, at byte %llu", big(cursor.at));
-        read_entry(entry(cursor), cursor);
-        cursor.at += sizeof size + size;
+        read_entry(entry, cursor);
+        cursor.at += entry_header_bytes + entry.size;
     }
+}
+
+// The entry at a place of a block that ends at `end`.
+Entry Contents::checked_entry(uint64_t at, uint64_t end) const
+{
+    const uint64_t left = end - at;
+    const uint32_t size = left < entry_header_bytes ? 0 : number_at<uint32_t>(bytes_ + at);
+    if (size < 1 || size > left - sizeof size)
+        fail(CLQ_FORMAT, "the entry at byte %llu of a record is longer than its block", big(at));
+    return entry({at, 0});
+}
+
+double Contents::step_time(const Entry &entry, uint64_t number) const
+{
+    double time_s = 0;
+    crowd::Reader in = reader_of(entry);
+    in.value(time_s);
+    if (in.left() != 0 || !std::isfinite(time_s)) fail(CLQ_FORMAT, "step %llu of a record has no time", big(number));
+    return time_s;
+}
+
+void Contents::check_state(const Entry &entry) const
+{
+    for (const uint32_t tmpl : StateFields(entry, states.get_allocator().resource()).templates)
+        require_number(tmpl, templates.size(), "template");
 }
 
 void Contents::read_entry(const Entry &entry, const Cursor &cursor)
@@ -117,20 +153,14 @@ void Contents::read_entry(const Entry &entry, const Cursor &cursor)
             return;
         case Kind::state:
         case Kind::key_state:
-            for (const uint32_t tmpl : StateFields(entry, states.get_allocator().resource()).templates)
-                require_number(tmpl, templates.size(), "template");
+            check_state(entry);
             states.push_back(cursor);
             return;
-        case Kind::step: {
-            Step step;
-            crowd::Reader in = reader_of(entry);
-            in.value(step.time_s);
-            if (in.left() != 0 || !std::isfinite(step.time_s))
-                fail(CLQ_FORMAT, "step %zu of a record has no time", steps.size());
-            step.cursor = cursor;
-            steps.push_back(step);
+        case Kind::step:
+            steps_.push_back({step_time(entry, steps_.size()), 0, cursor});
             return;
-        }
+        case Kind::index:
+            return;
         case Kind::end:
             is_whole = true;
             return;
@@ -154,13 +184,18 @@ void Contents::read_description(const Entry &entry)
             if (is_equal(made, other)) fail(CLQ_FORMAT, "a record has a locomotion twice");
         locomotions.push_back(made);
     } else if (entry.kind == Kind::track) {
-        if (entry.size < sizeof(uint32_t)) fail(CLQ_FORMAT, "track %zu of a record is empty", tracks.size());
-        const uint32_t locomotion = number_at<uint32_t>(entry.fields);
-        require_number(locomotion, locomotions.size(), "locomotion");
-        tracks.push_back({locomotion, entry.fields + sizeof(uint32_t), entry.size - uint32_t(sizeof(uint32_t))});
+        tracks_.push_back(track_of(entry, tracks_.size()));
     } else {
         fail(CLQ_FORMAT, "a record has an entry of kind %u, which this library does not know", unsigned(entry.kind));
     }
+}
+
+RecordedTrack Contents::track_of(const Entry &entry, uint64_t number) const
+{
+    if (entry.size < sizeof(uint32_t)) fail(CLQ_FORMAT, "track %llu of a record is empty", big(number));
+    const uint32_t locomotion = number_at<uint32_t>(entry.fields);
+    require_number(locomotion, locomotions.size(), "locomotion");
+    return {locomotion, entry.fields + sizeof(uint32_t), entry.size - uint32_t(sizeof(uint32_t))};
 }
 
 Entry Contents::entry(const Cursor &cursor) const
@@ -184,23 +219,9 @@ Cursor Contents::after(const Cursor &cursor) const
 
 Cursor Contents::end() const { return {ends_.back() + block_header_bytes, static_cast<uint32_t>(ends_.size())}; }
 
-uint64_t Contents::step_at(double time_s) const
-{
-    const auto later = std::upper_bound(steps.begin(), steps.end(), time_s,
-                                        [](double time, const Step &step) { return time < step.earliest_s; });
-    return later == steps.begin() ? 0 : static_cast<uint64_t>(later - steps.begin()) - 1;
-}
-
 const Cursor &Contents::state_before(const Cursor &cursor) const
 {
     return *(std::upper_bound(states.begin(), states.end(), cursor) - 1);
-}
-
-uint64_t Contents::bytes() const
-{
-    return templates.capacity() * sizeof(RecordedTemplate) + locomotions.capacity() * sizeof(RecordedLocomotion) +
-           tracks.capacity() * sizeof(RecordedTrack) + steps.capacity() * sizeof(Step) +
-           states.capacity() * sizeof(Cursor) + ends_.capacity() * sizeof(uint64_t);
 }
 
 StateFields::StateFields(const Entry &entry, std::pmr::memory_resource *memory) : templates(memory)

@@ -9,6 +9,9 @@
 // Entries come in the order of the calls. Templates, locomotions and tracks are numbered from 0 in their order, and
 // come before the first entry that names them. The first entry is the definition of the crowd, and a state comes
 // before all calls.
+//
+// From version 2 on a record that was ended has an index (index.h) and its end in a last block of their own; the end
+// says where that block is: its offset in 8 bytes, then its number in 4.
 #pragma once
 
 #include "lib/base/hash.h"
@@ -17,7 +20,7 @@ namespace claque::record
 {
 
 constexpr uint8_t magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'R', 0x1a};
-constexpr uint32_t version = 1;
+constexpr uint32_t version = 2, first_version = 1;
 constexpr uint32_t file_header_bytes = 16, block_header_bytes = 16, entry_header_bytes = 5;
 constexpr uint32_t max_locomotions = 256;  // each is measured before the record is played
 
@@ -31,6 +34,7 @@ enum class Kind : uint8_t {
     key_state = 6,  // the same as the state that the calls before it lead to; only for seeking
     step = 7,       // clq_crowd_update
     end = 8,
+    index = 9,
     first_call = 16,
     actor_create = 16,
     actor_destroy = 17,
@@ -70,6 +74,8 @@ enum class Kind : uint8_t {
     group_set_speed = 51,
     after_calls = 52
 };
+
+inline bool is_call(Kind kind) { return kind >= Kind::first_call && kind < Kind::after_calls; }
 
 inline uint64_t checksum_of(const uint8_t *contents, uint32_t size, uint64_t number)
 {

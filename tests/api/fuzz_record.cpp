@@ -25,8 +25,8 @@ void World::replay()
     EXPECT_EQ(clq_crowd_end_recording(crowd_, &written), CLQ_OK) << clq_last_error();
     EXPECT_EQ(written.steps, step_hashes_.size());
     clq_record *record = nullptr;
-    ASSERT_EQ(clq_record_load(test_world_.context, recorded_.data(), recorded_.size(), &record), CLQ_OK)
-        << clq_last_error();
+    const auto opening = seed_ % 2 ? clq_record_open : clq_record_load;
+    ASSERT_EQ(opening(test_world_.context, recorded_.data(), recorded_.size(), &record), CLQ_OK) << clq_last_error();
     ASSERT_EQ(clq_record_set_templates(record, templates_, 4), CLQ_OK) << clq_last_error();
     const clq_host_mechanism_def lent = {test_world_.mechanism(TestWorld::host).host.run, nullptr, false};
     for (uint32_t number = 1; number < 100; ++number)

@@ -49,9 +49,9 @@ Recording run(TestWorld &world, uint32_t steps, uint64_t seed, uint64_t key_byte
     return out;
 }
 
-Player::Player(TestWorld &world, const Bytes &bytes) : world_(world)
+Player::Player(TestWorld &world, const Bytes &bytes, Opening opening) : world_(world)
 {
-    if (clq_record_load(world.context, bytes.data(), bytes.size(), &record) != CLQ_OK) return;
+    if (opening(world.context, bytes.data(), bytes.size(), &record) != CLQ_OK) return;
     EXPECT_EQ(clq_record_set_templates(record, world.templates, 2), CLQ_OK) << clq_last_error();
     const clq_host_mechanism_def lent = {world.mechanism(TestWorld::host).host.run, nullptr, false};
     EXPECT_EQ(clq_record_lend_mechanism(record, {TestWorld::host + 1}, &lent), CLQ_OK) << clq_last_error();

@@ -67,7 +67,8 @@ Recording run(TestWorld &world, uint32_t steps, uint64_t seed, uint64_t key_byte
 class Player
 {
 public:
-    Player(TestWorld &world, const Bytes &bytes);
+    using Opening = clq_status (*)(clq_context *, const void *bytes, size_t size_bytes, clq_record **out);
+    Player(TestWorld &world, const Bytes &bytes, Opening opening = clq_record_load);
     ~Player();
     Player(const Player &) = delete;
     Player &operator=(const Player &) = delete;

@@ -175,17 +175,20 @@ TEST_F(RecordRules, HaveThePiecesOfATrackThatIsMadeMeanwhile)
     EXPECT_EQ(info.tracks, 12u);
     EXPECT_GT(info.key_states, 5u);
     clq_record *record = nullptr;
-    ASSERT_EQ(clq_record_load(world_.context, bytes.data(), bytes.size(), &record), CLQ_OK);
-    ASSERT_EQ(clq_record_set_templates(record, world_.templates, 1), CLQ_OK) << clq_last_error();
-    for (const uint32_t first : {0u, 17u, 5u})
-        for (uint32_t step = first; step < lists.size(); step += 1 + first) {
-            ASSERT_EQ(clq_record_play_step(record, played, step), CLQ_OK) << clq_last_error();
-            ASSERT_EQ(clq_crowd_update(played, 0.25 * step, &other, 1), CLQ_OK);
-            EXPECT_EQ(clq_view_get_hash(other), lists[step]) << step;
-            if (step % 7 == 0) {
-                ASSERT_EQ(clq_crowd_release_tracks(played, nullptr), CLQ_OK);
+    for (const auto opening : {clq_record_load, clq_record_open}) {
+        clq_record_destroy(record);
+        ASSERT_EQ(opening(world_.context, bytes.data(), bytes.size(), &record), CLQ_OK);
+        ASSERT_EQ(clq_record_set_templates(record, world_.templates, 1), CLQ_OK) << clq_last_error();
+        for (const uint32_t first : {0u, 17u, 5u})
+            for (uint32_t step = first; step < lists.size(); step += 1 + first) {
+                ASSERT_EQ(clq_record_play_step(record, played, step), CLQ_OK) << clq_last_error();
+                ASSERT_EQ(clq_crowd_update(played, 0.25 * step, &other, 1), CLQ_OK);
+                EXPECT_EQ(clq_view_get_hash(other), lists[step]) << step;
+                if (step % 7 == 0) {
+                    ASSERT_EQ(clq_crowd_release_tracks(played, nullptr), CLQ_OK);
+                }
             }
-        }
+    }
     EXPECT_EQ(clq_crowd_destroy(crowd), CLQ_OK);
     clq_record_destroy(record);
     EXPECT_EQ(clq_crowd_update(played, 3, &other, 1), CLQ_OK) << "it holds the pieces that it shows";

@@ -20,10 +20,12 @@ clq_status begin(clq_crowd *crowd)
     return clq_crowd_begin_recording(crowd, &def);
 }
 
-clq_record *opened(W w, bool ready)
+using Opening = decltype(clq_record_load) *;
+
+clq_record *opened(W w, bool ready, Opening opening)
 {
     clq_record *record = nullptr;
-    EXPECT_EQ(clq_record_load(w.test.context, w.record.data(), w.record.size(), &record), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(opening(w.test.context, w.record.data(), w.record.size(), &record), CLQ_OK) << clq_last_error();
     if (!ready) return record;
     EXPECT_EQ(clq_record_set_templates(record, w.test.templates, 2), CLQ_OK) << clq_last_error();
     const clq_host_mechanism_def lent = {w.test.mechanism(TestWorld::host).host.run, nullptr, false};
@@ -33,13 +35,13 @@ clq_record *opened(W w, bool ready)
 
 // A call for a record that was opened without faults.
 template <class Body>
-auto in_record(bool ready, const Body &body)
+auto in_record(bool ready, const Body &body, Opening opening = clq_record_load)
 {
-    return [ready, body](W w) {
+    return [ready, body, opening](W w) {
         clq_record *record = nullptr;
         {
             const failing_memory::Unarmed unarmed;
-            record = opened(w, ready);
+            record = opened(w, ready, opening);
         }
         const clq_status status = body(w, record);
         const failing_memory::Unarmed unarmed;
@@ -50,9 +52,9 @@ auto in_record(bool ready, const Body &body)
 
 // Plays into a crowd that is gone afterwards: one that fails leaves it in a state between.
 template <class Play>
-auto into_a_crowd(const Play &play)
+auto into_a_crowd(const Play &play, Opening opening = clq_record_load)
 {
-    return in_record(true, [play](W w, clq_record *record) {
+    const auto body = [play](W w, clq_record *record) {
         clq_crowd *crowd = nullptr;
         {
             const failing_memory::Unarmed unarmed;
@@ -63,7 +65,8 @@ auto into_a_crowd(const Play &play)
         if (status == CLQ_OK) w.found = clq_crowd_get_hash(crowd);
         EXPECT_EQ(clq_crowd_destroy(crowd), CLQ_OK);
         return status;
-    });
+    };
+    return in_record(true, body, opening);
 }
 
 void add_recordings(std::vector<Call> &all)
@@ -120,6 +123,10 @@ void add_record_calls(std::vector<Call> &all)
         {"clq_record_load",
          [](W w) { return clq_record_load(w.test.context, w.record.data(), w.record.size(), w.out<clq_record>()); }, 0,
          [](W w) { clq_record_destroy(static_cast<clq_record *>(w.made)); }});
+    all.push_back(
+        {"clq_record_open",
+         [](W w) { return clq_record_open(w.test.context, w.record.data(), w.record.size(), w.out<clq_record>()); }, 0,
+         [](W w) { clq_record_destroy(static_cast<clq_record *>(w.made)); }});
     all.push_back({"clq_record_destroy",
                    [](W) {
                        clq_record_destroy(nullptr);
@@ -162,6 +169,12 @@ void add_record_calls(std::vector<Call> &all)
     all.push_back({"clq_record_play", into_a_crowd([](clq_record *record, clq_crowd *crowd) {
                        return clq_record_play(record, crowd, 2);
                    })});
+    all.push_back({"clq_record_play",
+                   into_a_crowd([](clq_record *record, clq_crowd *crowd) { return clq_record_play(record, crowd, 2); },
+                                clq_record_open),
+                   0,
+                   {},
+                   "in parts"});
     all.push_back({"clq_record_play_step", into_a_crowd([](clq_record *record, clq_crowd *crowd) {
                        return clq_record_play_step(record, crowd, 0);
                    })});

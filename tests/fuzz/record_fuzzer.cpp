@@ -28,10 +28,12 @@ void play(TestWorld &world, clq_record *record, uint64_t steps)
     EXPECT_EQ(saved::save(crowd), saved);
 }
 
-void open(TestWorld &world, const Bytes &bytes)
+using Opening = decltype(clq_record_load) *;
+
+void open(TestWorld &world, const Bytes &bytes, Opening opening)
 {
     clq_record *record = nullptr;
-    if (!done(clq_record_load(world.context, bytes.data(), bytes.size(), &record), {CLQ_FORMAT})) return;
+    if (!done(opening(world.context, bytes.data(), bytes.size(), &record), {CLQ_FORMAT})) return;
     clq_record_info info = clq_record_info_init();
     EXPECT_EQ(clq_record_get_info(record, &info), CLQ_OK);
     EXPECT_GE(info.end_s, info.start_s);
@@ -74,10 +76,11 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     if (size == 0) return 0;
     static TestWorld &world = *new TestWorld;  // lives as long as the process
     Bytes file(bytes, bytes + size);
-    open(world, file);
+    for (const Opening opening : {clq_record_load, clq_record_open}) open(world, file, opening);
     if (size < format::file_header_bytes) return 0;
     const Bytes before = file;
     correct(file);
-    if (file != before) open(world, file);
+    if (file == before) return 0;
+    for (const Opening opening : {clq_record_load, clq_record_open}) open(world, file, opening);
     return 0;
 }

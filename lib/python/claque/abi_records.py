@@ -45,7 +45,7 @@ class RecordingInfo(Sized):
 class RecordInfo(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("whole", c_bool), ("template_count", c_uint32), ("track_count", c_uint32),
                 ("step_count", c_uint64), ("call_count", c_uint64), ("state_count", c_uint64), ("start_s", c_double),
-                ("end_s", c_double), ("bytes", c_uint64)]
+                ("end_s", c_double), ("bytes", c_uint64), ("read_bytes", c_uint64)]
 
 
 STRUCTS.update({
