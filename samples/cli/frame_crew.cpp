@@ -9,6 +9,7 @@
 #include "samples/cli/frame_worker.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/cli/work_share.h"
+#include "samples/processes/frame_shares.h"
 #include "samples/processes/rank_team.h"
 #include "samples/processes/shared_pages.h"
 
@@ -99,8 +100,8 @@ void FrameCrew::draw(const std::vector<Frame> &frames, const Done &done)
     state_->draw_tiles(frames, done);
 }
 
-// Each worker draws the next frame that none has. Frames for standard output wait in their places until those before
-// them are written.
+// Each worker draws a share of frames that follow each other. Those for standard output are drawn in their order, and
+// wait in their places until those before them are written.
 void FrameCrew::State::draw_frames(const std::vector<Frame> &frames, const Done &done)
 {
     struct Given {
@@ -113,17 +114,19 @@ void FrameCrew::State::draw_frames(const std::vector<Frame> &frames, const Done 
     };
     std::vector<std::deque<Given>> given(team->size());
     std::map<size_t, Held> held;  // by frame
-    size_t next = 0, written = 0;
+    const bool in_order = frames[0].path == "-";
+    processes::FrameShares shares(frames.size(), team->size(), in_order);
+    size_t written = 0;
     const auto give = [&](uint32_t worker, size_t at) {
-        if (next == frames.size()) return;
-        Json task = task_of("frame", frames[next]);
+        const std::optional<size_t> next = shares.next(worker);
+        if (!next) return;
+        Json task = task_of("frame", frames[*next]);
         task["at"] = at;
-        given[worker].push_back({next++, at});
+        given[worker].push_back({*next, at});
         team->send(worker, task.dump());
     };
     for (uint32_t slot = 0; slot < team->depth(); ++slot)
         for (uint32_t i = 0; i < team->size(); ++i) give(i, stride * (size_t(slot) * team->size() + i));
-    const bool in_order = frames[0].path == "-";
     while (written < frames.size()) {
         const processes::Team::Answer answer = team->wait();
         const Given one = given[answer.worker].front();

@@ -22,6 +22,7 @@ const Subject &FrameDrawer::subject()
     if (!a.setup.file.empty())
         loaded_ = load_character(library_, a.setup.file, a.setup.hidden, a.clips, levels_of_file(a.setup));
     options_ = scene_options(a.setup, loaded_);
+    options_.crowd_options.as_shown = true;
     scene_renderer_.emplace(library_, options_);
     wardrobe_.emplace(library_, a.colours, options_.crowd_options.seed);
     subject_ = {scene_renderer_->crowd_stats().actor_count, scene_renderer_->context_name()};
@@ -62,6 +63,8 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, Json &report)
     if (options_.shadows.form != scenes::ShadowChoice::Form::painted)
         report["shadows"] = shadow_counters(scene.darkened()),
         report["shadow_ms"] = ms[static_cast<size_t>(Part::shadows)];
+    if (const std::optional<scenes::ReadPart> part = scene.scene().read_part())
+        report["read"] = {{"what", part->unit}, {"read", part->read}, {"of", part->of}};
     report["counters"] = counters(scene.crowd_stats());
     return rgb;
 }

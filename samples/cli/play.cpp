@@ -130,7 +130,9 @@ auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<const scene
         Progress progress("claque");
         scenes::walkers::Options with_progress = options;
         with_progress.progress = [&](size_t done, size_t of) { progress.step(done, of); };
-        std::unique_ptr<scenes::Scene> scene = scenes::walkers::make(library, crowd_options, with_progress);
+        scenes::CrowdOptions asked = crowd_options;
+        if (!path.empty()) asked.as_shown = false;  // a record has all people, whatever was drawn
+        std::unique_ptr<scenes::Scene> scene = scenes::walkers::make(library, asked, with_progress);
         if (!path.empty()) {
             *record = std::make_unique<RecordOut>(path);
             (*record)->begin(scene->crowd());

@@ -140,8 +140,8 @@ void run(const Arguments &a)
     if (classes.empty()) classes.push_back(scenes::walkers::class_of("citizen"));
     for (const scenes::SocialClass &one : classes)
         cast.push_back(scenes::walkers::cast(library, one, scenes::Lod::off));
-    tracks.people = scenes::walkers::tracks_of(library, tracks.trajectories.get(), tracks.plan, cast, a.seed,
-                                               [&](size_t done, size_t of) { progress.step(done, of); });
+    scenes::walkers::People people(library, tracks.trajectories.get(), tracks.plan, cast, a.seed);
+    tracks.people = people.take([&](size_t done, size_t of) { progress.step(done, of); });
     const TracksReport report = report_of(tracks, a.tracks.file);
     if (!a.plot.empty()) write_chart(a.plot, plan_drawing(tracks, report));
     if (!a.json.empty()) write_whole(a.json, json_of(report).dump(2) + "\n");

@@ -29,6 +29,12 @@ struct Character {
     uint32_t first_clip = 0;  // a parade plays this one and those after it
 };
 
+// Of a file that is read as times are shown.
+struct ReadPart {
+    const char *unit;  // what is counted
+    uint64_t read = 0, of = 0;
+};
+
 class Scene
 {
 public:
@@ -64,6 +70,8 @@ public:
     virtual bool take_shadows(clq_shadow_def &) { return false; }
     // What an individual that decides is at; none: it does not.
     virtual std::optional<Mind> mind_of(clq_actor) const { return {}; }
+    // How much of its file the scene has read and made so far; none: it reads no file by range of times.
+    virtual std::optional<ReadPart> read_part() const { return {}; }
     // A time at which the most people are there.
     virtual double busiest_s() const { return 0; }
     // Whether a tile of a picture (SceneRenderer::show_tile) may leave out people who are not in it. Not where other

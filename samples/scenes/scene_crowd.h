@@ -28,6 +28,7 @@ struct CrowdOptions {
     double hour = 0;                // of the day, for scenes whose light follows it; 0: the scene's own
     std::optional<Daylight> light;  // of the plaza; none: the scene's own
     bool exact_poses = false;       // all are posed in every frame, at the very time
+    bool as_shown = false;          // what a time shows may be read and made when place() comes to it, not at first
     float lod_scale = 1;            // multiplies every distance that selects levels of detail; 0: all at their finest
 };
 

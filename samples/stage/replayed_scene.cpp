@@ -29,6 +29,8 @@ public:
     std::vector<clq_template *> templates() const override { return people_->templates(); }
     void place(double time_s) override { people_->place(time_s); }
 
+    std::optional<ReadPart> read_part() const override { return people_->read_part(); }
+
     clq_camera camera(Shot shot, double aspect, double time_s) const override
     {
         return follows_ ? people_->camera(shot, aspect, time_s) : setting_->camera(shot, aspect);

@@ -1,5 +1,7 @@
 // Pictures by the ranks of an MPI job: the same as one process draws; a rank that fails ends the job and is named.
+#include <algorithm>
 #include <cstdlib>
+#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -146,6 +148,39 @@ TEST_F(Ranks, GoOnWhereAJobStopped)
     const nlohmann::json report = nlohmann::json::parse(file_text(path("again.json")));
     EXPECT_EQ(report["frames"].size(), 2u);
     EXPECT_EQ(report["skipped"], nlohmann::json({0, 20}));
+}
+
+// Each rank draws neighbours, and makes the tracks of people who are there then.
+TEST_F(Ranks, ReadWhatTheirFramesShow)
+{
+    std::ofstream table(path("long.csv"));
+    table << "time,id,x,y\n";
+    for (int i = 0; i < 40; ++i)
+        for (int k = 0; k <= 20; ++k) table << 5 * i + 0.5 * k << ",p" << i << ',' << 0.6 * k << ',' << i % 7 << '\n';
+    table.close();
+    const auto words = [&](const std::string &name) {
+        return Words{"play",      path("long.csv"),
+                     "--columns", "time,id,x,y",
+                     "--unit",    "m",
+                     "--size",    "96x64",
+                     "--fps",     "1",
+                     "--frames",  "0:199",
+                     "--json",    path(name + ".json"),
+                     "--out",     path(name + "-%03d.png")};
+    };
+    ASSERT_EQ(claque(words("one")).code, 0);
+    const Outcome done = mpirun(4, words("four"));
+    ASSERT_EQ(done.code, 0) << done.err;
+    const nlohmann::json one = nlohmann::json::parse(file_text(path("one.json")))["frames"];
+    const nlohmann::json four = nlohmann::json::parse(file_text(path("four.json")))["frames"];
+    ASSERT_EQ(four.size(), 200u);
+    int most = 0;
+    for (size_t i = 0; i < 200; ++i) {
+        EXPECT_EQ(four[i]["picture_hash"], one[i]["picture_hash"]) << i;
+        most = std::max(most, four[i]["read"]["read"].get<int>());
+    }
+    EXPECT_EQ(one.back()["read"]["read"], 40);
+    EXPECT_LT(most, 35) << "tracks that a rank made";
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "samples/scenes/walkers/cast.h"
+#include "samples/scenes/walkers/passings.h"
 #include "samples/scenes/walkers/walkers.h"
 
 namespace scenes::walkers
@@ -14,33 +15,41 @@ using OwnTrajectories = std::unique_ptr<clq_trajectories, DestroyTrajectories>;
 
 OwnTrajectories load(Library &library, const Options &options);
 
-// A plan of the world: x to the east, y to the north, z up, metres; the scene has x, z to the south, y up, and its
-// origin at the middle of the people or where the options say.
-struct Plan {
-    double x = 0, y = 0, z = 0;         // the scene's origin in the world
-    double start_s = 0, end_s = 0;      // of the file
-    double half_x = 1, half_z = 1;      // of the people, metres
-    double middle_x = 0, middle_z = 0;  // of the people, in the scene
-    double ground = 0;                  // its height in the scene
-    void to_scene(double px, double py, double pz, double out[3]) const
-    {
-        out[0] = px - x, out[1] = pz - z, out[2] = -(py - y);
-    }
-};
 Plan plan_of(const clq_trajectories *trajectories, const Options &options);
 
 struct Person {
     std::string id;
     size_t member = 0;  // of the cast
-    OwnTrack track;
+    OwnTrack track;     // null until it is made
     double start_s = 0, end_s = 0;
     double scale = 1;
 };
 
-// One track for each person, with a member of the cast and a size by hash; shoulders turn where people pass closely.
-// Throws Failure.
-std::vector<Person> tracks_of(Library &library, const clq_trajectories *trajectories, const Plan &plan,
-                              const std::vector<Member> &cast, uint64_t seed,
-                              const std::function<void(size_t, size_t)> &progress);
+// The people of a file, each with a member of the cast and a size by hash. Tracks are made when they are asked for, and
+// the passings round them found: that takes many times what reading their rows does. What a person is does not depend
+// on which people were asked for before.
+class People
+{
+public:
+    // `trajectories` and `cast` must live as long as this. Throws Failure.
+    People(Library &library, const clq_trajectories *trajectories, const Plan &plan, const std::vector<Member> &cast,
+           uint64_t seed);
+
+    const std::vector<Person> &all() const { return people_; }
+    // Makes the person's track if it has none; its shoulders turn where people pass closely. Throws Failure.
+    clq_track *track(size_t person);
+    size_t made() const { return made_; }  // tracks
+    // All of them, with their tracks.
+    std::vector<Person> take(const std::function<void(size_t, size_t)> &progress);
+
+private:
+    const clq_trajectories *trajectories_;
+    Plan plan_;
+    const std::vector<Member> &cast_;
+    uint64_t seed_;
+    std::vector<Person> people_;
+    Passings passings_;
+    size_t made_ = 0;
+};
 
 }  // namespace scenes::walkers

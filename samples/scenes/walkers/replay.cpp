@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 #include <optional>
 
 #include "samples/scenes/light.h"
@@ -173,6 +172,13 @@ public:
         if (followed_) find_followed(time_s);
     }
 
+    std::optional<ReadPart> read_part() const override
+    {
+        clq_record_info info = clq_record_info_init();
+        check(clq_record_get_info(file_.record.get(), &info));
+        return ReadPart{"bytes", info.read_bytes, file_.bytes.size()};
+    }
+
     bool take_shadows(clq_shadow_def &def) override
     {
         def = shadows_in(plain_.light());
@@ -221,11 +227,9 @@ bool is_record(const std::string &file)
 
 RecordFile::RecordFile(Library &library, const std::string &file)
 {
-    std::ifstream in(file, std::ios::binary);
-    bytes.assign(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-    if (!in) throw Failure(file + ": it cannot be read");
+    if (const std::string wrong = bytes.open(file); !wrong.empty()) throw Failure(wrong);
     clq_record *made = nullptr;
-    check(clq_record_load(library.context(), bytes.data(), bytes.size(), &made), file);
+    check(clq_record_open(library.context(), bytes.data(), bytes.size(), &made), file);
     record.reset(made);
     check(clq_record_get_info(made, &info));
     if (info.step_count == 0) throw Failure(file + ": nothing was shown in this record: it has no update");

@@ -3,6 +3,7 @@
 
 #include <claque/record.h>
 
+#include "samples/io/mapped.h"
 #include "samples/scenes/walkers/walkers.h"
 
 namespace scenes::walkers
@@ -19,10 +20,10 @@ struct ReplayOptions {
     std::string follow;                   // the number of the actor that the camera follows; empty: it stands
 };
 
-// The bytes of a file and the record in them. Throws Failure.
+// A file and the record in it, which is read where it is played. Throws Failure.
 struct RecordFile {
     RecordFile(Library &library, const std::string &file);
-    std::vector<char> bytes;
+    io::Mapped bytes;
     OwnRecord record;
     clq_record_info info = clq_record_info_init();
 };

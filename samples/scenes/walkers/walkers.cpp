@@ -17,28 +17,54 @@ namespace
 constexpr float person_height_m = 1.75f, shadow_width_m = 0.95f;
 const char *const people_of_rome[] = {"citizen", "patrician", "plebeian", "decurion"};
 
+// A pose is of a time up to the longest update period before the frame's.
+constexpr double around_s = 1;
+
+// A track that is over before any time that is shown: its actor is nowhere.
+OwnTrack track_of_absence(const Member &member)
+{
+    clq_track_point points[2] = {};
+    points[0].time_s = -1e9, points[1].time_s = 1 - 1e9;
+    clq_track_def def = clq_track_def_init();
+    def.points = points, def.point_count = 2;
+    clq_track *made = nullptr;
+    check(clq_track_create(member.locomotion.get(), &def, &made));
+    return OwnTrack(made);
+}
+
 class Walkers final : public Scene, public SocialClasses
 {
 public:
     Walkers(Library &library, const CrowdOptions &crowd_options, const Options &options)
         : scene_crowd_(library, crowd_options), plain_(crowd_options.seed, options.light)
     {
-        const OwnTrajectories trajectories = asked_at(options.places.file, [&] { return load(library, options); });
-        plan_ = plan_of(trajectories.get(), options);
+        trajectories_ = asked_at(options.places.file, [&] { return load(library, options); });
+        plan_ = plan_of(trajectories_.get(), options);
         std::vector<SocialClass> classes = options.characters;
         if (classes.empty())
             for (const char *name : people_of_rome) classes.push_back(walkers::class_of(name));
         for (const SocialClass &one : classes) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
-        people_ = tracks_of(library, trajectories.get(), plan_, cast_, crowd_options.seed, options.progress);
-        for (const Person &person : people_) enter(person);
+        for (const Member &member : cast_) away_.push_back(track_of_absence(member));
+        people_.emplace(library, trajectories_.get(), plan_, cast_, crowd_options.seed);
+        walks_.resize(people_->all().size());
+        for (size_t i = 0; i < walks_.size(); ++i) {
+            enter(people_->all()[i], crowd_options.as_shown);
+            if (crowd_options.as_shown) continue;
+            walk(i);
+            options.progress(i + 1, walks_.size());
+        }
         busiest_s_ = busiest();
         asked_at(options.places.area, [&] { lay(library, options, plan_, plain_.ground()); });
         if (!options.follow.empty()) followed_ = asked_at(options.places.follow, [&] { return find(options.follow); });
+        if (followed_) walk(*followed_);
     }
 
     clq_crowd *crowd() const override { return scene_crowd_.crowd(); }
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
-    std::string class_of(size_t individual) const override { return cast_[people_[individual].member].described.name; }
+    std::string class_of(size_t individual) const override
+    {
+        return cast_[people_->all()[individual].member].described.name;
+    }
     double busiest_s() const override { return busiest_s_; }
     std::vector<clq_template *> templates() const override
     {
@@ -49,7 +75,7 @@ public:
 
     clq_camera camera(Shot shot, double aspect, double time_s) const override
     {
-        if (followed_) return behind(people_[*followed_], time_s, aspect);
+        if (followed_) return behind(people_->all()[*followed_], time_s, aspect);
         if (shot != Shot::close) return overview_of(plan_, aspect);
         const double z = plan_.middle_z + plan_.half_z + 3;
         return look({plan_.middle_x, 1.62, z}, {plan_.middle_x, 1.2, z - 6}, 50, aspect, 0.2, far_of(plan_));
@@ -58,7 +84,10 @@ public:
     void place(double time_s) override
     {
         places_.clear();
-        for (const Person &person : people_) {
+        for (size_t i = 0; i < walks_.size(); ++i) {
+            const Person &person = people_->all()[i];
+            if (time_s < person.start_s - around_s || time_s > person.end_s + around_s) continue;
+            walk(i);
             if (time_s < person.start_s || time_s > person.end_s) continue;
             clq_track_state state;
             check(clq_track_evaluate(person.track.get(), time_s, &state));
@@ -67,6 +96,11 @@ public:
             place.scale = static_cast<float>(person.scale / cast_[person.member].scale);
             places_.push_back(place);
         }
+    }
+
+    std::optional<ReadPart> read_part() const override
+    {
+        return ReadPart{"tracks", people_->made(), people_->all().size()};
     }
 
     bool take_shadows(clq_shadow_def &def) override
@@ -91,7 +125,8 @@ public:
     }
 
 private:
-    void enter(const Person &person)
+    // People who do not walk yet are nowhere, but they are there: actors keep their numbers.
+    void enter(const Person &person, bool away)
     {
         clq_transform place = clq_transform_init();
         place.scale = static_cast<float>(person.scale);
@@ -99,14 +134,28 @@ private:
         const SceneCrowd::Part part = {member.tmpl, place, clq_play_init()};
         if (member.described.palette.empty()) scene_crowd_.enter(part);
         else scene_crowd_.enter(part, scene_crowd_.actors().size(), ranges_of(member.tmpl, member.described));
-        check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors().back(), person.track.get(), 0));
+        if (away) follow(scene_crowd_.actors().size() - 1, away_[person.member].get());
+    }
+
+    void follow(size_t person, clq_track *track)
+    {
+        check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors()[person], track, 0));
+    }
+
+    // Makes the track of a person who has none yet.
+    void walk(size_t person)
+    {
+        if (walks_[person]) return;
+        follow(person, people_->track(person));
+        walks_[person] = true;
     }
 
     // The time of an arrival after which the most people are there.
     double busiest() const
     {
         std::vector<std::pair<double, int>> changes;  // an arrival before a departure at the same time
-        for (const Person &person : people_) changes.insert(changes.end(), {{person.start_s, -1}, {person.end_s, 1}});
+        for (const Person &person : people_->all())
+            changes.insert(changes.end(), {{person.start_s, -1}, {person.end_s, 1}});
         std::sort(changes.begin(), changes.end());
         double at = 0;
         int now = 0, most = 0;
@@ -117,10 +166,11 @@ private:
 
     size_t find(const std::string &id) const
     {
-        for (size_t i = 0; i < people_.size(); ++i)
-            if (people_[i].id == id) return i;
+        const std::vector<Person> &people = people_->all();
+        for (size_t i = 0; i < people.size(); ++i)
+            if (people[i].id == id) return i;
         throw Failure("no person has the id " + id + " that the camera is to follow; the first is " +
-                      people_.front().id);
+                      people.front().id);
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
@@ -141,9 +191,12 @@ private:
                     {p[0] + 1.5 * dx, p[1] + 0.95, p[2] + 1.5 * dz}, 48, aspect, 0.2, 400);
     }
 
+    OwnTrajectories trajectories_;
     Plan plan_;
     std::vector<Member> cast_;
-    std::vector<Person> people_;
+    std::vector<OwnTrack> away_;  // by member of the cast
+    std::optional<People> people_;
+    std::vector<bool> walks_;  // by person: its actor follows its own track
     SceneCrowd scene_crowd_;
     Plain plain_;
     double busiest_s_ = 0;
