@@ -11,6 +11,7 @@
 #include "samples/scenes/sky.h"
 #include "samples/scenes/stone.h"
 #include "samples/scenes/walkers/ground.h"
+#include "samples/scenes/walkers/plain.h"
 
 namespace scenes::walkers
 {
