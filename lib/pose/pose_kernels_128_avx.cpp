@@ -1,5 +1,5 @@
-// The same lanes for processors with AVX: its three-operand instructions need no copies, and it broadcasts an element as
-// it loads it. Only functions of this file are compiled for AVX.
+// The same lanes for processors with AVX: its three-operand instructions need no copies, and it broadcasts an element
+// as it loads it. Only functions of this file are compiled for AVX.
 #include "lib/pose/pose_kernels.h"
 
 #if defined(__x86_64__) || defined(__i386__)

@@ -3,6 +3,8 @@
 //
 // All ways take turns, so that other load on the machine counts for all alike. Times are of the processors, all threads
 // and GL's together. The textbook gets its matrix palettes for nothing, and does not cull.
+//
+// Also what GL itself takes for a texture for each person instead of one for all: the textbook without skinning.
 #include <cmath>
 #include <functional>
 
@@ -24,6 +26,7 @@ using namespace gltest;
 constexpr int width = 1024, height = 768;
 constexpr uint32_t people = 1000, across = 40;
 constexpr double shown_s = 2;
+constexpr uint32_t small_side = 128;  // of the textures that each person gets, in texels
 
 double phase_of(uint32_t person) { return 0.1 * double(person % 37); }
 
@@ -93,14 +96,15 @@ public:
             std::copy_n(item.model_view, 16, people_.back().model_view);
         }
         skinned_.resize(size_t(6) * level.source_count);
-        host.GenTextures(1, &texture_);
-        host.BindTexture(gl::texture_2d, texture_);
-        host.TexParameteri(gl::texture_2d, gl::texture_min_filter, int32_t(gl::nearest));
-        host.TexParameteri(gl::texture_2d, gl::texture_mag_filter, int32_t(gl::nearest));
         const model::Texture &from = tmpl.textures[0];
-        host.TexImage2D(gl::texture_2d, 0, int32_t(gl::rgba8), int32_t(from.width), int32_t(from.height), 0, gl::rgba,
-                        gl::unsigned_byte, from.rgba.data());
-        host.BindTexture(gl::texture_2d, 0);
+        texture_ = upload(from.width, from.height, from.rgba);
+        std::vector<uint8_t> small;
+        for (uint32_t y = 0; y < small_side; ++y)
+            for (uint32_t x = 0; x < small_side; ++x) {
+                const size_t texel = size_t(y * from.height / small_side) * from.width + x * from.width / small_side;
+                small.insert(small.end(), from.rgba.data() + 4 * texel, from.rgba.data() + 4 * texel + 4);
+            }
+        for (size_t i = 0; i < people_.size(); ++i) small_.push_back(upload(small_side, small_side, small));
     }
 
     // Passes: 1, or one for each zone of the texture under its alpha test, as S1 3 has them.
@@ -120,7 +124,35 @@ public:
         end();
     }
 
+    // All in the pose of the first, with the first small texture or each with its own.
+    void draw_unskinned(bool own_textures, const float *projection)
+    {
+        begin(projection, false);
+        bench::textbook_skin(tmpl_.levels[0], people_[0].palette.data(), skinned_.data());
+        host_.BindTexture(gl::texture_2d, small_[0]);
+        for (size_t i = 0; i < people_.size(); ++i) {
+            if (own_textures) host_.BindTexture(gl::texture_2d, small_[i]);
+            host_.LoadMatrixf(people_[i].model_view);
+            host_.DrawElements(gl::triangles, int32_t(indices_.size()), gl::unsigned_short, indices_.data());
+        }
+        end();
+    }
+
 private:
+    template <class Bytes>
+    uint32_t upload(uint32_t wide, uint32_t high, const Bytes &rgba) const
+    {
+        uint32_t texture = 0;
+        host_.GenTextures(1, &texture);
+        host_.BindTexture(gl::texture_2d, texture);
+        host_.TexParameteri(gl::texture_2d, gl::texture_min_filter, int32_t(gl::nearest));
+        host_.TexParameteri(gl::texture_2d, gl::texture_mag_filter, int32_t(gl::nearest));
+        host_.TexImage2D(gl::texture_2d, 0, int32_t(gl::rgba8), int32_t(wide), int32_t(high), 0, gl::rgba,
+                         gl::unsigned_byte, rgba.data());
+        host_.BindTexture(gl::texture_2d, 0);
+        return texture;
+    }
+
     struct Person {
         std::vector<glm::mat4> palette;
         float model_view[16];
@@ -161,6 +193,7 @@ private:
     std::vector<float> skinned_;  // of one person after the other
     std::vector<uint16_t> indices_;
     uint32_t texture_ = 0;
+    std::vector<uint32_t> small_;  // one for each person
 };
 
 double all_threads_ms()
@@ -211,7 +244,9 @@ void against_the_textbook(benchmark::State &state)
     Way ways[] = {{"textbook", [&] { textbook.draw(1, projection); }, {}},
                   {"textbook_zones", [&] { textbook.draw(zones, projection); }, {}},
                   {"uncoloured", [&] { claque_draws(alike); }, {}},
-                  {"coloured", [&] { claque_draws(coloured); }, {}}};
+                  {"coloured", [&] { claque_draws(coloured); }, {}},
+                  {"one_texture", [&] { textbook.draw_unskinned(false, projection); }, {}},
+                  {"own_textures", [&] { textbook.draw_unskinned(true, projection); }, {}}};
     bool counted = false;
     for (auto _ : state) {
         for (Way &way : ways) {
@@ -231,6 +266,10 @@ void against_the_textbook(benchmark::State &state)
         for (size_t i = 0; i < way.ms.size(); ++i) ratios.push_back(way.ms[i] / ways[0].ms[i]);
         state.counters[std::string(way.name) + "_ratio"] = median_of(ratios);
     }
+    const std::vector<double> &one = ways[4].ms, &own = ways[5].ms;
+    std::vector<double> ratios;
+    for (size_t i = 0; i < one.size(); ++i) ratios.push_back(own[i] / one[i]);
+    state.counters["own_textures_of_one"] = median_of(ratios);
 }
 
 BENCHMARK(against_the_textbook)->Iterations(21)->Unit(benchmark::kMillisecond);
