@@ -62,6 +62,8 @@ public:
     virtual void set_light(const Gl &gl, const Eye &eye) const = 0;
     // Draws everything but the crowd, in the light that is set, and leaves it set.
     virtual void draw_environment(const Gl &gl, const Eye &eye) const = 0;
+    // Whether surroundings hide more of the people than people hide of them. They are then drawn first.
+    virtual bool hides_people() const { return false; }
     // What is drawn last, such as what people carry: it follows their poses.
     virtual void draw_things(const Gl &, const Eye &) const {}
     // From now on the scene leaves out the shadows that it paints itself, so that claque draws shadows or nothing

@@ -160,7 +160,7 @@ bool SceneRenderer::has_claques_shadows() const
 
 std::array<SceneRenderer::Part, 3> SceneRenderer::order() const
 {
-    if (has_claques_shadows()) return {Part::environment, Part::shadows, Part::crowd};
+    if (scene_->hides_people() || has_claques_shadows()) return {Part::environment, Part::shadows, Part::crowd};
     return {Part::crowd, Part::environment, Part::shadows};
 }
 

@@ -71,7 +71,8 @@ public:
     // Clears the picture and sets the light for what is drawn next.
     void begin_picture();
     // What is drawn then, in this order. People come first, because their surroundings cost nothing where people hide
-    // them; but claque's shadows of people fall on surroundings that are there, and people stand in front of them.
+    // them, unless the scene hides people; but claque's shadows of people fall on surroundings that are there, and
+    // people stand in front of them.
     enum class Part : uint8_t { environment, shadows, crowd };
     std::array<Part, 3> order() const;
     // Draws one part and waits for GL, so that it can be timed. Shadows are drawn if they are claque's.

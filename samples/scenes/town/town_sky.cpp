@@ -55,6 +55,7 @@ public:
         const Frustum cull(eye, cull_share_);
         town_.draw(gl, eye, &cull);
     }
+    bool hides_people() const override { return true; }
     void cull_by(double share) override { cull_share_ = static_cast<float>(share); }
 
 private:
