@@ -4,7 +4,8 @@
 // All ways take turns, so that other load on the machine counts for all alike. Times are of the processors, all threads
 // and GL's together. The textbook gets its matrix palettes for nothing, and does not cull.
 //
-// Also what GL itself takes for a texture for each person instead of one for all: the textbook without skinning.
+// Also what GL itself takes for a texture for each person instead of one for all, and for interleaved arrays: the
+// textbook without skinning.
 #include <cmath>
 #include <functional>
 
@@ -125,10 +126,11 @@ public:
     }
 
     // All in the pose of the first, with the first small texture or each with its own.
-    void draw_unskinned(bool own_textures, const float *projection)
+    void draw_unskinned(bool own_textures, bool interleaved, const float *projection)
     {
         begin(projection, false);
         bench::textbook_skin(tmpl_.levels[0], people_[0].palette.data(), skinned_.data());
+        if (interleaved) interleave();
         host_.BindTexture(gl::texture_2d, small_[0]);
         for (size_t i = 0; i < people_.size(); ++i) {
             if (own_textures) host_.BindTexture(gl::texture_2d, small_[i]);
@@ -151,6 +153,23 @@ private:
                          gl::unsigned_byte, rgba.data());
         host_.BindTexture(gl::texture_2d, 0);
         return texture;
+    }
+
+    // Position, normal and texture coordinates of a vertex side by side.
+    void interleave()
+    {
+        const model::Level &level = tmpl_.levels[0];
+        mixed_.clear();
+        for (size_t v = 0; v < level.source_count; ++v) {
+            const float *from = skinned_.data() + 3 * v;
+            mixed_.insert(mixed_.end(), from, from + 3);
+            mixed_.insert(mixed_.end(), from + size_t(3) * level.source_count,
+                          from + size_t(3) * level.source_count + 3);
+            mixed_.insert(mixed_.end(), level.uvs.data() + 2 * v, level.uvs.data() + 2 * v + 2);
+        }
+        host_.VertexPointer(3, gl::real, 32, mixed_.data());
+        host_.NormalPointer(gl::real, 32, mixed_.data() + 3);
+        host_.TexCoordPointer(2, gl::real, 32, mixed_.data() + 6);
     }
 
     struct Person {
@@ -190,7 +209,7 @@ private:
     const HostGl &host_;
     const model::Template &tmpl_;
     std::vector<Person> people_;
-    std::vector<float> skinned_;  // of one person after the other
+    std::vector<float> skinned_, mixed_;  // of one person after the other
     std::vector<uint16_t> indices_;
     uint32_t texture_ = 0;
     std::vector<uint32_t> small_;  // one for each person
@@ -245,8 +264,9 @@ void against_the_textbook(benchmark::State &state)
                   {"textbook_zones", [&] { textbook.draw(zones, projection); }, {}},
                   {"uncoloured", [&] { claque_draws(alike); }, {}},
                   {"coloured", [&] { claque_draws(coloured); }, {}},
-                  {"one_texture", [&] { textbook.draw_unskinned(false, projection); }, {}},
-                  {"own_textures", [&] { textbook.draw_unskinned(true, projection); }, {}}};
+                  {"one_texture", [&] { textbook.draw_unskinned(false, false, projection); }, {}},
+                  {"own_textures", [&] { textbook.draw_unskinned(true, false, projection); }, {}},
+                  {"interleaved", [&] { textbook.draw_unskinned(false, true, projection); }, {}}};
     bool counted = false;
     for (auto _ : state) {
         for (Way &way : ways) {
@@ -266,10 +286,13 @@ void against_the_textbook(benchmark::State &state)
         for (size_t i = 0; i < way.ms.size(); ++i) ratios.push_back(way.ms[i] / ways[0].ms[i]);
         state.counters[std::string(way.name) + "_ratio"] = median_of(ratios);
     }
-    const std::vector<double> &one = ways[4].ms, &own = ways[5].ms;
-    std::vector<double> ratios;
-    for (size_t i = 0; i < one.size(); ++i) ratios.push_back(own[i] / one[i]);
-    state.counters["own_textures_of_one"] = median_of(ratios);
+    const auto of_one_texture = [&](const Way &way) {
+        std::vector<double> ratios;
+        for (size_t i = 0; i < way.ms.size(); ++i) ratios.push_back(way.ms[i] / ways[4].ms[i]);
+        return median_of(ratios);
+    };
+    state.counters["own_textures_of_one"] = of_one_texture(ways[5]);
+    state.counters["interleaved_of_apart"] = of_one_texture(ways[6]);
 }
 
 BENCHMARK(against_the_textbook)->Iterations(21)->Unit(benchmark::kMillisecond);
