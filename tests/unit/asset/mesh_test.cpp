@@ -114,6 +114,35 @@ TEST(Mesh, WeightsAreMadeToSumToOneAndPackedInOrder)
     EXPECT_EQ(model.rig.palette[1].node, model.rig.find_node("tip"));
 }
 
+// Inverse binds of two joints, so many floats apart.
+model::Model with_inverse_binds(size_t floats_apart)
+{
+    Maker maker = skinned({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0});
+    std::vector<float> numbers(floats_apart + 16, 77);
+    for (size_t joint = 0; joint < 2; ++joint)
+        for (size_t k = 0; k < 16; ++k)
+            numbers[joint * floats_apart + k] = k % 5 == 0 ? 1 : k >= 12 ? 0.25f * static_cast<float>(joint + k) : 0;
+    const int matrices = maker.floats("MAT4", 2, numbers);
+    if (floats_apart != 16) maker.json["bufferViews"].back()["byteStride"] = 4 * floats_apart;
+    maker.json["skins"][0]["inverseBindMatrices"] = matrices;
+    return load(maker.glb());
+}
+
+TEST(Mesh, InverseBindMatricesMayLieApartWithAWarning)
+{
+    const model::Model together = with_inverse_binds(16), apart = with_inverse_binds(20);
+    EXPECT_TRUE(together.warnings.empty());
+    ASSERT_EQ(apart.warnings.size(), 1u);
+    for (const char *word : {"skins[0].inverseBindMatrices", "byteStride", "80 bytes apart"})
+        EXPECT_NE(apart.warnings[0].find(word), std::string::npos) << apart.warnings[0];
+    ASSERT_EQ(together.rig.palette.size(), 2u);
+    ASSERT_EQ(apart.rig.palette.size(), 2u);
+    for (size_t joint = 0; joint < 2; ++joint)
+        for (size_t k = 0; k < 12; ++k)
+            EXPECT_EQ(apart.rig.palette[joint].inverse_bind.c[k], together.rig.palette[joint].inverse_bind.c[k]);
+    EXPECT_EQ(apart.rig.palette[1].inverse_bind.c[9], 0.25f * 13) << "the second matrix, and nothing between the two";
+}
+
 TEST(Mesh, FurtherSetsOfJointsAddInfluences)
 {
     Maker maker = skinned({0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0}, {1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0});
