@@ -40,7 +40,8 @@ struct LevelReport {
 };
 
 // Returns a half, a quarter and so on of the character's count, while above 1300; then those of the following that are
-// at most 95 % of it: eight levels from 1040 to 490 (S1 6), 430, 375, 330, 290, 250, 120, 60, 42, 30, 20, 14.
+// at most 95 % of it: eight levels from 1040 to 490 (S1 6), 430, 375, 330, 290, 250, 205, 165, 120, 84, 60, 42, 30, 20,
+// 14.
 std::vector<size_t> default_targets(size_t triangles);
 
 // Returns the distance in metres from which an error of `error_m` covers at most `pixels`, at 768 lines over 60

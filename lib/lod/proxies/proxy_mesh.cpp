@@ -24,10 +24,11 @@ constexpr uint32_t max_influences = 4;
 // The cost of an influence, as a fraction of the joint displacement and of the size; the latter because hosts may have
 // other clips. Found by experiment.
 constexpr double displacement_cost = 0.5, min_cost = 0.05;
-constexpr size_t max_reduced_triangles = 128;  // levels of at most so many triangles use reduce_by_distance()
-constexpr size_t stand_in_triangles = 1000;    // triangles of the mesh that replaces the fine surface for those
-constexpr uint32_t least_cells = 12;           // along the longest side, however little was read
-constexpr uint32_t first_zone = 0x80000000u;   // feature ids from here on are zones; those below are joints
+constexpr size_t max_reduced_triangles = 128;   // levels of at most so many triangles use reduce_by_distance()
+constexpr size_t reduced_from_triangles = 180;  // where it begins, whatever the targets are
+constexpr size_t stand_in_triangles = 1000;     // triangles of the mesh that replaces the fine surface for those
+constexpr uint32_t least_cells = 12;            // along the longest side, however little was read
+constexpr uint32_t first_zone = 0x80000000u;    // feature ids from here on are zones; those below are joints
 
 struct Influence {
     uint32_t joint = 0;
@@ -180,17 +181,16 @@ std::vector<CoarseMesh> coarse_levels(const ClosedMesh &surface, const std::vect
 {
     const auto few = std::find_if(targets.begin(), targets.end(), [](size_t n) { return n <= max_reduced_triangles; });
     std::vector<size_t> many(targets.begin(), few);
-    const auto stand_in_at =
-        std::find_if(many.begin(), many.end(), [](size_t n) { return n < stand_in_triangles; }) - many.begin();
-    if (few != targets.end()) {
-        many.insert(many.begin() + stand_in_at, stand_in_triangles);
-        many.push_back(*few * 3 / 2);
-    }
+    if (few == targets.end()) return coarsen(surface, features, many);
+    const auto insert = [&](size_t triangles) {
+        const auto at = std::find_if(many.begin(), many.end(), [&](size_t n) { return n < triangles; }) - many.begin();
+        many.insert(many.begin() + at, triangles);
+        return at;
+    };
+    const ptrdiff_t stand_in_at = insert(stand_in_triangles), from_at = insert(reduced_from_triangles);
     std::vector<CoarseMesh> levels = coarsen(surface, features, many);
-    if (few == targets.end()) return levels;
-    // The mesh that replaces the fine surface for the reduction; its vertices are the samples.
-    const CoarseMesh stand_in = std::move(levels[size_t(stand_in_at)]), from = std::move(levels.back());
-    levels.erase(levels.begin() + stand_in_at), levels.pop_back();
+    const CoarseMesh stand_in = std::move(levels[size_t(stand_in_at)]), from = std::move(levels[size_t(from_at)]);
+    levels.erase(levels.begin() + from_at), levels.erase(levels.begin() + stand_in_at);
     std::vector<Attributes> means;
     for (const Features &one : stand_in.features) means.push_back(one.mean);
     const FineSurface fine(stand_in.surface, means, means.size());

@@ -19,6 +19,8 @@ namespace
 
 constexpr size_t min_manifold_triangles = 30;  // levels of fewer triangles may close holes as soon as that is cheapest
 constexpr size_t refit_triangles = 40;         // levels of at most so many triangles are fitted after each collapse
+// Where the mesh under reduction is fitted, whatever the targets: no level depends on which others are made.
+constexpr size_t fitted_at[] = {120, 60, 42, 30, 20, 14};
 constexpr double illegal_cost = std::numeric_limits<double>::infinity();
 
 class Reduction
@@ -277,12 +279,18 @@ std::vector<CoarseMesh> reduce_by_distance(const FineSurface &fine, const Coarse
 {
     Reduction work(fine, from, jobs);
     std::vector<CoarseMesh> out;
-    for (const size_t target : targets) {
+    const size_t *next = std::begin(fitted_at);
+    const auto reduce_to = [&](size_t target) {
         if (target < min_manifold_triangles) work.allow_non_manifold();
         while (work.count() > target && work.collapse())
             if (work.count() <= refit_triangles) work.refit(2);
-        work.refit(max_fit_rounds);
-        out.push_back(work.result());
+    };
+    for (const size_t target : targets) {
+        for (; next != std::end(fitted_at) && *next >= target; ++next) reduce_to(*next), work.refit(max_fit_rounds);
+        reduce_to(target);
+        CoarseMesh level = work.result();
+        if (next == std::begin(fitted_at) || next[-1] != target) fit(fine, level, max_fit_rounds);
+        out.push_back(std::move(level));
     }
     return out;
 }

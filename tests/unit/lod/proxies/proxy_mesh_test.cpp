@@ -85,6 +85,22 @@ TEST(ClosedMesh, IsClosedHoweverCellsTouch)
     EXPECT_TRUE(test::is_closed(boundary, 1));
 }
 
+TEST(ProxyMesh, IsTheSameWhateverTheOtherTargetsAre)
+{
+    const model::Model citizen = figures::citizen();
+    std::vector<const model::Part *> parts;
+    for (const model::Part &part : citizen.parts) parts.push_back(&part);
+    lod::ProxyMeshOptions options;
+    options.targets = {1100, 250, 165, 84, 42};
+    const std::vector<model::Part> many = lod::proxy_meshes(citizen, parts, options);
+    options.targets = {250, 42};
+    const std::vector<model::Part> few = lod::proxy_meshes(citizen, parts, options);
+    for (const auto &[a, b] : {std::pair(1, 0), std::pair(4, 1)}) {
+        EXPECT_EQ(many[size_t(a)].positions, few[size_t(b)].positions) << a;
+        EXPECT_EQ(many[size_t(a)].indices, few[size_t(b)].indices) << a;
+    }
+}
+
 TEST(ProxyMesh, LevelsOfAPersonAreClosedAndLieNearIt)
 {
     const model::Model citizen = figures::citizen();

@@ -146,6 +146,17 @@ TEST_F(Reduce, IsNearerThanPlanesAre)
         EXPECT_LT(mean_square(fine, levels[k].surface), 0.5 * mean_square(fine, by_planes[k].surface)) << targets[k];
 }
 
+TEST_F(Reduce, GivesALevelWhateverTheOtherTargetsAre)
+{
+    const lod::CoarseMesh from = lod::coarsen(fine, nothing, {180})[0];
+    const std::vector<lod::CoarseMesh> many = lod::reduce_by_distance(surface, from, {100, 84, 60, 50, 30, 24, 14});
+    const std::vector<lod::CoarseMesh> few = lod::reduce_by_distance(surface, from, {84, 30, 24});
+    for (const auto &[a, b] : {std::pair(1, 0), std::pair(4, 1), std::pair(5, 2)}) {
+        EXPECT_EQ(many[size_t(a)].surface.triangles, few[size_t(b)].surface.triangles) << a;
+        EXPECT_EQ(many[size_t(a)].surface.positions, few[size_t(b)].surface.positions) << a;
+    }
+}
+
 TEST_F(Reduce, IsTheSameEachTime)
 {
     const lod::CoarseMesh from = lod::coarsen(fine, nothing, {100})[0];
