@@ -18,6 +18,7 @@ namespace
 {
 
 constexpr size_t min_manifold_triangles = 30;  // levels of fewer triangles may close holes as soon as that is cheapest
+constexpr size_t refit_triangles = 40;         // levels of at most so many triangles are fitted after each collapse
 // Where the mesh under reduction is fitted, whatever the targets: no level depends on which others are made.
 constexpr size_t fitted_at[] = {120, 60, 42, 30, 20, 14};
 constexpr double illegal_cost = std::numeric_limits<double>::infinity();
@@ -281,7 +282,8 @@ std::vector<CoarseMesh> reduce_by_distance(const FineSurface &fine, const Coarse
     const size_t *next = std::begin(fitted_at);
     const auto reduce_to = [&](size_t target) {
         if (target < min_manifold_triangles) work.allow_non_manifold();
-        while (work.count() > target && work.collapse()) {}
+        while (work.count() > target && work.collapse())
+            if (work.count() <= refit_triangles) work.refit(2);
     };
     for (const size_t target : targets) {
         for (; next != std::end(fitted_at) && *next >= target; ++next) reduce_to(*next), work.refit(max_fit_rounds);
