@@ -102,8 +102,8 @@ struct VertexArray {
     bool operator!=(const VertexArray &other) const;
 };
 
-// The switches of GL 1.3 that a draw sets, by value: NVIDIA's driver (580.159.04) saves GL_MULTISAMPLE in no attribute
-// group.
+// The switches of GL 1.3 that a draw sets, saved by value: NVIDIA's driver (580.159.04) restores GL_MULTISAMPLE with
+// none of the groups that the guard pushes.
 class SampleSwitches
 {
 public:

@@ -37,7 +37,8 @@ esac
 if [ "$preset" = nehalem ]; then
     emulated="qemu-x86_64 -cpu Nehalem build/${PRESET:-release}/tests"
     $emulated/embed/strip_host | diff tests/golden/strip_host.txt -
-    for test in unit/skin/skin_test unit/pose/pose_layers_test unit/animcache/animcache_test unit/frame/frame_test actors/actors_test api/api_test; do
+    for test in unit/skin/skin_test unit/pose/pose_layers_test unit/animcache/animcache_test unit/frame/frame_test \
+        actors/actors_test api/api_test; do
         $emulated/$test --gtest_brief=1
     done
     $emulated/law/claque_law_test --gtest_brief=1 \

@@ -88,9 +88,10 @@ typedef struct clq_record clq_record;
  * Fails: ARGUMENT (NULL), FORMAT (with the place), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_record_load(clq_context *context, const void *bytes, size_t size_bytes, clq_record **out);
 
-/* Opens a record by its index, which clq_crowd_end_recording writes: of a file that is mapped into memory only that is
- * read which is played, each part when it is first needed, and it is checked then. A record without an index, because
- * it was cut off or written by a version before 0.3, is opened as by clq_record_load. What is played is the same.
+/* Opens a record by its index, which clq_crowd_end_recording writes: a file that is mapped into memory is read where it
+ * is played. Each part is read and checked when it is first needed. A record has no index if it was cut
+ * off, or if an earlier version of the library wrote it (form 1). It is then read whole, as by clq_record_load. Both
+ * ways play the same.
  *   bytes, out   as for clq_record_load
  * Fails: as clq_record_load, for the index. A part that was changed is refused by the call that plays it (FORMAT).
  * Threads: any. */

@@ -73,7 +73,7 @@ TEST_F(PartsOfFilms, MakeTheTracksOfTheirTimes)
     for (const json &frame : all) EXPECT_EQ(frame["read"], json({{"what", "tracks"}, {"read", 60}, {"of", 60}}));
     EXPECT_LE(film[0]["read"]["read"], 2);
     EXPECT_EQ(film.back()["read"]["read"], 60);
-    // Those who are there from 60 to 70 s, or a second before or after.
+    // Tracks between 59 and 71 s: a second more than the frames on either side.
     EXPECT_EQ(tenth.back()["read"]["read"], 12);
     // Backwards and far away in one film: frames are drawn as they are asked for.
     expect_equal(drawn(people_of_table({}), "back", "3000,1500,125"), all);

@@ -150,7 +150,7 @@ TEST_F(Ranks, GoOnWhereAJobStopped)
     EXPECT_EQ(report["skipped"], nlohmann::json({0, 20}));
 }
 
-// Each rank draws neighbours, and makes the tracks of people who are there then.
+// Each rank draws frames that follow each other, and makes the tracks that these show.
 TEST_F(Ranks, ReadWhatTheirFramesShow)
 {
     std::ofstream table(path("long.csv"));

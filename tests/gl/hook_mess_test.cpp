@@ -82,7 +82,8 @@ TEST_F(DisruptiveHooks, LeaveTheHostsStateAsItWasInGuardModeFull)
     }
 }
 
-// NVIDIA's driver 580.159.04 pops no GL_MULTISAMPLE. With guard mode none nothing else restores it either.
+// NVIDIA's driver 580.159.04 leaves GL_MULTISAMPLE as it is at a pop. In guard mode none the frame of the hooks alone
+// can restore it.
 TEST_F(DisruptiveHooks, LeaveTheHostsMultisamplingWhereGlForgetsToPopIt)
 {
     for (const bool on : {true, false}) {

@@ -17,7 +17,7 @@ using namespace scenes::walkers;
 
 constexpr int people = 120;
 
-// People who cross a small square for a few minutes; some stay for long, and rows are not at even times.
+// Tracks across a small square for a few minutes. Some are long, and rows are not at even times.
 std::string crossing()
 {
     std::string text = "time,id,x,y\n";

@@ -125,7 +125,7 @@ public:
     }
 
 private:
-    // People who do not walk yet are nowhere, but they are there: actors keep their numbers.
+    // Before its track begins an actor is in no picture, but it exists: the numbers of all others stay.
     void enter(const Person &person, bool away)
     {
         clq_transform place = clq_transform_init();
@@ -142,7 +142,7 @@ private:
         check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors()[person], track, 0));
     }
 
-    // Makes the track of a person who has none yet.
+    // Makes the person's track if it has none.
     void walk(size_t person)
     {
         if (walks_[person]) return;
