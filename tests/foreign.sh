@@ -64,6 +64,7 @@ if [ "$preset" = arm64 ]; then
         left_out "$name: takes seconds without QEMU and compares the library with itself"
     done
 fi
+mkdir -p build
 cmake --preset "$preset" > "build/$preset.log" 2>&1 || { cat "build/$preset.log"; exit 1; }
 cmake --build --preset "$preset" -j "$jobs"
 ctest --preset "$preset" -j "$jobs"
