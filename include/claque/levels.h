@@ -14,7 +14,8 @@ typedef struct clq_levels_def {
     uint32_t struct_bytes; /* set by clq_levels_def_init */
     /* [target_count] triangles of all parts together, descending, each 4 or more. Targets that are not below the
      * character's count are skipped. With target_count 0: a half, a quarter and so on of the character's count, while
-     * above 1300; then 1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 120, 60, 42, 30, 20 and 14. */
+     * above 1300; then 1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 205, 165, 120,
+     * 84, 60, 42, 30, 20, 14 and 10. */
     const uint32_t *targets;
     uint32_t target_count;
     /* (> 0) the size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
@@ -45,10 +46,11 @@ static inline clq_levels_def clq_levels_def_init(void)
 }
 
 /* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. A level
- * is left out if no distance would select it, if it has less than a tenth more triangles than the next one, or if it
- * has fewer than 20 triangles and changes the share of a zone by more than 2 points, or nearly loses a zone that
- * covers at least a hundredth of the surface. Zones that cover less may vanish from coarse levels. The levels do not
- * depend on the context's tasks, which share the work.
+ * is left out if no distance would select it, or if it has less than a tenth more triangles than the next one. A level
+ * of fewer than 20 triangles is also left out if it shows zones too badly: if the share of a zone changes by more than
+ * 2 points of the surface and more than half of a pixel where the level begins, if it nearly loses a zone that covers
+ * that much, or if single views show on average 28 points of wrong zones. Zones that cover less than a hundredth of the
+ * surface may vanish from coarse levels. The levels do not depend on the context's tasks, which share the work.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT

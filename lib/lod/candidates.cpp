@@ -18,7 +18,8 @@ std::vector<Candidate> prune(std::vector<Candidate> all)
 {
     std::vector<Candidate> made, kept;
     for (Candidate &one : all) {
-        if (one.level.triangles < 20 && (one.level.zone_area_error > max_zone_area_error || one.loses_zone)) continue;
+        if (one.level.triangles < 20 && (one.level.zone_area_error > one.zone_tolerance || one.loses_zone)) continue;
+        if (one.level.triangles < 20 && one.level.zone_view_error > max_zone_view_error) continue;
         if (made.empty() || one.level.triangles < made.back().level.triangles) made.push_back(std::move(one));
     }
     // Of two nearly equal levels the finer one goes, but the finest level of all stays.

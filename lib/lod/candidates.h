@@ -9,21 +9,23 @@
 namespace claque::lod
 {
 
-constexpr double max_zone_area_error = 0.02;  // largest allowed error of any zone's area fraction, at any level
+constexpr double max_zone_area_error = 0.02;  // largest allowed error of any zone's area fraction
+constexpr double max_zone_view_error = 0.28;  // and of what single views show, in levels of few triangles
 
 struct Candidate {
     LevelReport level;
     bool is_proxy = false;  // one part replaces all parts
     bool is_measured = false;
-    bool loses_zone = false;  // see area_fractions.h
-    size_t target = 0;        // the number of triangles that was asked for
+    double zone_tolerance = max_zone_area_error;  // what its zones' area fractions may be off
+    bool loses_zone = false;                      // see area_fractions.h
+    size_t target = 0;                            // the number of triangles that was asked for
     std::vector<model::Part> parts;
 };
 
 size_t triangle_count_of(const Candidate &made);
 
 // Removes useless candidates: levels whose distance does not exceed the one before, levels that hardly save triangles,
-// and levels below 20 triangles that cannot keep the zones' area fractions, or lose a zone.
+// and levels below 20 triangles that cannot keep the zones' area fractions to their tolerance, or lose a zone.
 std::vector<Candidate> prune(std::vector<Candidate> all);
 
 // Of a decimated level and a proxy with similar triangle counts, keeps the one with the smaller error. `made` keeps the

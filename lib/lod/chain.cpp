@@ -34,6 +34,7 @@ struct Source {
     size_t triangles = 0;
     bool articulated = false;                        // skinned, or on several nodes
     std::vector<double> visibility, area_fractions;  // see visibility.h and area_fractions.h
+    double shown_m2 = 0;                             // of the surface, the mean of all directions
 };
 
 // Levels keep all candidates at once and search them in many poses. That takes so many bytes, measured with meshes of
@@ -53,7 +54,7 @@ void check_size(const model::Model &model, const Source &source)
                    base::big(multiple), base::big(read), base::big(always_bytes));
 }
 
-Source source_of(const model::Model &model, const base::Jobs &jobs)
+Source source_of(const model::Model &model, double metres_per_unit, const base::Jobs &jobs)
 {
     Source source;
     for (size_t i = 0; i < model.parts.size(); ++i) {
@@ -70,6 +71,9 @@ Source source_of(const model::Model &model, const base::Jobs &jobs)
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
     source.visibility = visibility_of(model, rest, jobs);
     source.area_fractions = zone_area_fractions(model, rest, source.visibility);
+    // Half of all directions look at a point's front, and see on average half of its area.
+    for (uint32_t t = 0; t < source.visibility.size(); ++t)
+        source.shown_m2 += 0.5 * area_of(rest, t) * source.visibility[t] * metres_per_unit * metres_per_unit;
     return source;
 }
 
@@ -169,16 +173,29 @@ void choose(const model::Model &model, const Source &source, const ChainOptions 
     }
 }
 
+// Returns what a level's zones may be off: 2 points of the surface or, in a level of few triangles, half of a pixel
+// where it begins.
+double zone_tolerance_of(const Source &source, const Candidate &made)
+{
+    const double pixel_m = pixel_at_a_metre * made.level.distance_m;
+    if (made.level.triangles >= 20 || !(source.shown_m2 > 0)) return max_zone_area_error;
+    return std::max(max_zone_area_error, 0.5 * pixel_m * pixel_m / source.shown_m2);
+}
+
 // Gives the proxies of `made` their images. `model` gets these, and zone keys that are all different.
 void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std::vector<Candidate> &made)
 {
     std::vector<Candidate *> proxies;
     std::vector<model::Part> meshes;
-    for (Candidate &one : made)
-        if (one.is_proxy) proxies.push_back(&one), meshes.push_back(std::move(one.parts[0]));
+    std::vector<double> tolerances;
+    for (Candidate &one : made) {
+        if (!one.is_proxy) continue;
+        proxies.push_back(&one), meshes.push_back(std::move(one.parts[0]));
+        tolerances.push_back(one.zone_tolerance = zone_tolerance_of(source, one));
+    }
     if (proxies.empty()) return;
     const ProxySource from(model, posed_at_rest(model.rig, source.parts), source.visibility, jobs);
-    ProxyLevels baked = bake_proxies(from, std::move(meshes), jobs);
+    ProxyLevels baked = bake_proxies(from, std::move(meshes), tolerances, jobs);
     for (size_t i = 0; i < proxies.size(); ++i) proxies[i]->parts[0] = std::move(baked.parts[i]);
     add_to_model(baked, model);
     jobs.try_each(static_cast<uint32_t>(proxies.size()), [&](uint32_t i) {
@@ -187,7 +204,10 @@ void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std
         level.deviation.wrong_zone = wrong_zone(model, from.fine, source.visibility, proxies[i]->parts);
         const std::vector<double> fractions = zone_area_fractions(model, pointers(proxies[i]->parts));
         level.zone_area_error = zone_area_error(source.area_fractions, fractions);
-        proxies[i]->loses_zone = loses_zone(source.area_fractions, fractions);
+        if (level.triangles <= max_clean_triangles) level.zone_view_error = from.views.error(proxies[i]->parts[0]);
+        const double tolerance = proxies[i]->zone_tolerance;
+        proxies[i]->loses_zone =
+            loses_zone(source.area_fractions, fractions, tolerance > max_zone_area_error ? tolerance : least_zone);
     });
 }
 
@@ -206,8 +226,8 @@ std::vector<size_t> default_targets(size_t triangles)
 {
     std::vector<size_t> targets;
     for (size_t n = triangles / 2; n > 1300; n /= 2) targets.push_back(n);
-    for (const size_t n :
-         {1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 205, 165, 120, 84, 60, 42, 30, 20, 14})
+    for (const size_t n : {1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290,
+                           250,  205, 165, 120, 84,  60,  42,  30,  20,  14,  10})
         if (n * 100 <= triangles * 95) targets.push_back(n);
     return targets;
 }
@@ -216,7 +236,7 @@ double switch_distance(double error_m, double pixels) { return error_m / (pixels
 
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options)
 {
-    const Source source = source_of(model, options.jobs);
+    const Source source = source_of(model, options.metres_per_unit, options.jobs);
     if (!(options.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels: it must be above 0", options.tolerance_px);
     const bool has_proxies = source.articulated && options.proxy_max_triangles > 0 && !options.quadric_only;

@@ -37,11 +37,12 @@ struct LevelReport {
     Deviation deviation;         // all 0 for the finest level
     size_t flipped = 0;          // triangles that are flipped in texture space
     double zone_area_error = 0;  // against the finest level (area_fractions.h)
+    double zone_view_error = 0;  // in single views (proxies/zone_views.h); of levels with one zone a triangle, else 0
 };
 
 // Returns a half, a quarter and so on of the character's count, while above 1300; then those of the following that are
 // at most 95 % of it: eight levels from 1040 to 490 (S1 6), 430, 375, 330, 290, 250, 205, 165, 120, 84, 60, 42, 30, 20,
-// 14.
+// 14, 10.
 std::vector<size_t> default_targets(size_t triangles);
 
 // Returns the distance in metres from which an error of `error_m` covers at most `pixels`, at 768 lines over 60
@@ -50,8 +51,9 @@ double switch_distance(double error_m, double pixels);
 
 // Replaces the parts of `model` by a chain of levels, and reports on each level, finest first. Parts that are hidden,
 // have no triangles or have distances of their own stay as they are. A level is left out if it has less than a tenth
-// more triangles than the next one, if it begins where the next begins, or if it has fewer than 20 triangles and cannot
-// keep the zones' area fractions or nearly loses a zone of at least a hundredth of the surface (area_fractions.h).
+// more triangles than the next one, if it begins where the next begins, or if it has fewer than 20 triangles and shows
+// zones too badly: their area fractions by more than 2 points or half a pixel, those in single views by more than 28
+// points (zone_views.h), or nearly without a zone that is larger than that (area_fractions.h).
 // Throws base::Error (CLQ_ARGUMENT) if nothing can be decimated or targets do not descend; the model is then unchanged.
 // Deterministic.
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options);

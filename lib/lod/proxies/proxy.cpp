@@ -59,6 +59,13 @@ uint32_t add_material(const ProxySource &source, std::vector<model::Image> image
     return static_cast<uint32_t>(source.model.materials.size() + proxies.materials.size() - 1);
 }
 
+std::vector<const model::Part *> parts_of(const PosedParts &posed)
+{
+    std::vector<const model::Part *> parts;
+    for (uint32_t i = 0; i < posed.part_count(); ++i) parts.push_back(&posed.part(i));
+    return parts;
+}
+
 }  // namespace
 
 ProxySource::ProxySource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
@@ -67,7 +74,7 @@ ProxySource::ProxySource(const model::Model &of, const std::vector<const model::
 }
 
 ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector<double> seen, const base::Jobs &jobs)
-    : model(of), fine(std::move(at_rest)), visibility(std::move(seen)), keys(keys_of(of))
+    : model(of), fine(std::move(at_rest)), visibility(std::move(seen)), keys(keys_of(of)), views(of, parts_of(fine))
 {
     if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
     area_fractions.resize(set_count());
@@ -77,20 +84,25 @@ ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector
 
 PosedParts ProxySource::at_rest(const model::Part &part) const { return posed_at_rest(model.rig, {&part}); }
 
-ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs)
+ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes,
+                         const std::vector<double> &tolerances, const base::Jobs &jobs)
 {
     std::vector<model::Part> swatch_parts;
+    std::vector<double> swatch_tolerances;
     ProxyLevels proxies;
     proxies.zone_keys = source.keys;
     proxies.set_images.resize(source.model.texture_sets.size());
-    for (model::Part &part : meshes)
-        (part.indices.size() <= 3 * max_clean_triangles ? swatch_parts : proxies.parts).push_back(std::move(part));
+    for (size_t i = 0; i < meshes.size(); ++i) {
+        const bool is_clean = meshes[i].indices.size() <= 3 * max_clean_triangles;
+        if (is_clean) swatch_tolerances.push_back(tolerances.empty() ? 0.02 : tolerances[i]);
+        (is_clean ? swatch_parts : proxies.parts).push_back(std::move(meshes[i]));
+    }
     std::vector<std::vector<model::Image>> charts(proxies.parts.size()), swatches(1);
     const uint32_t count = static_cast<uint32_t>(charts.size());
     // The swatches take longest, so they begin first.
     jobs.try_each(count + 1, [&](uint32_t i) {
         if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1]);
-        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts);
+        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts, swatch_tolerances);
     });
     for (uint32_t i = 0; i < count; ++i)
         proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);
@@ -106,7 +118,8 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
 ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,
                          const ProxyMeshOptions &options)
 {
-    return bake_proxies(ProxySource(model, source, options.jobs), proxy_meshes(model, source, options), options.jobs);
+    return bake_proxies(ProxySource(model, source, options.jobs), proxy_meshes(model, source, options), {},
+                        options.jobs);
 }
 
 void add_to_model(const ProxyLevels &proxies, model::Model &model)

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/base/services.h"
+#include "lib/lod/proxies/zone_views.h"
 #include "lib/lod/surface/surface_samples.h"
 #include "lib/model/model.h"
 
@@ -48,6 +49,7 @@ struct ProxySource {
     std::vector<double> visibility;                   // [triangles of fine] visibility (visibility.h)
     std::vector<std::vector<double>> area_fractions;  // [sets] per zone (area_fractions.h)
     std::vector<uint8_t> keys;                        // [zones] all different
+    ZoneViews views;                                  // of `fine`, in all poses
 };
 
 struct ProxyLevels {
@@ -61,9 +63,11 @@ struct ProxyLevels {
     std::vector<uint8_t> zone_keys;
 };
 
-// Makes the images of `meshes`, which proxy_meshes() returned, and sets their texture coordinates. Throws base::Error
+// Makes the images of `meshes`, which proxy_meshes() returned, and sets their texture coordinates. `tolerances`:
+// [meshes] of zones' area fractions, for those with one zone a triangle; empty: 0.02 each. Throws base::Error
 // (CLQ_LIMIT) if there are more zones than keys. The result does not depend on `jobs`. Deterministic.
-ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes, const base::Jobs &jobs = {});
+ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes,
+                         const std::vector<double> &tolerances = {}, const base::Jobs &jobs = {});
 
 // Both steps in one. `source` are triangle parts of `model`, which must have passed model::check.
 ProxyLevels make_proxies(const model::Model &model, const std::vector<const model::Part *> &source,

@@ -13,8 +13,9 @@ void set_texel(const ProxySource &source, size_t at, uint32_t zone, glm::dvec3 r
 void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 
 // Gives each triangle of each part one zone in one brightness, from the source surface that is nearest to it, and sets
-// texture coordinates. Returns one image per texture set for all parts.
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts);
+// texture coordinates. `tolerances`: [parts] of zones' area fractions. Returns one image per texture set for all parts.
+std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
+                                        const std::vector<double> &tolerances);
 
 // Bakes one part whose texels show the nearest points of the source.
 std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part);

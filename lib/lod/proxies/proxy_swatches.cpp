@@ -104,13 +104,26 @@ std::vector<double> weights_of(const ProxySource &source, const PosedParts &part
     return weights;
 }
 
-std::vector<uint32_t> zones_of(const ProxySource &source, const PosedParts &part,
-                               const std::vector<ZoneColours> &zone_colours, const std::vector<double> &weights)
+// Returns the area of each zone that each triangle of the level stands for. Small triangles of the source count more
+// than their area, as above: a triangle from the head to the chest then shows the face.
+std::vector<ZoneAreas> zone_areas_of(const ProxySource &source, const std::vector<ZoneColours> &zone_colours,
+                                     const std::vector<PointPair> &out)
 {
     std::vector<ZoneAreas> areas(zone_colours.size());
-    for (size_t t = 0; t < zone_colours.size(); ++t)
-        for (const auto &[zone, sums] : zone_colours[t]) areas[t][zone] = sums[0].area;
-    return assign_zones(source.model, source.fine, part, areas, source.area_fractions[0], weights);
+    double all = 0;
+    const size_t count = source.fine.triangles().size();
+    for (uint32_t t = 0; t < count; ++t) all += area_of(source.fine, t);
+    for (const PointPair &pair : out) {
+        const uint32_t t = pair.here.triangle;
+        const double area = area_of(source.fine, t);
+        if (pair.corner != PointPair::inside || !(source.visibility[t] > 0) || !(area > 0)) continue;
+        const double weight = std::clamp(std::sqrt(all / double(count) / area), min_weight, max_weight);
+        areas[pair.there.triangle][zone_at(source.model, source.fine, pair.here)] +=
+            weight * area * source.visibility[t];
+    }
+    for (size_t t = 0; t < areas.size(); ++t)
+        for (const auto &[zone, sums] : zone_colours[t]) areas[t].try_emplace(zone, sums[0].area);
+    return areas;
 }
 
 // The mean colour of each zone, for triangles that show a zone without samples of it.
@@ -159,15 +172,22 @@ model::Image image_of(const ProxySource &source, const std::map<Swatch, ColourSu
 
 }  // namespace
 
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts)
+std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
+                                        const std::vector<double> &tolerances)
 {
     std::map<Swatch, ColourSums> colours;
     std::vector<std::vector<Swatch>> swatches;
+    ZoneGoals goals{source.area_fractions[0]};
+    for (size_t v = 0; v < source.views.count(); ++v) goals.views.source.push_back(source.views.fractions(v));
     for (const model::Part &part : parts) {
+        goals.tolerance = tolerances[swatches.size()];
+        goals.views.triangles = source.views.triangle_fractions(part);
         const PosedParts coarse = source.at_rest(part);
         const std::vector<PointPair> out = nearest_pairs(source.fine, coarse);
         const std::vector<ZoneColours> zone_colours = collect_colours(source, coarse, out);
-        const std::vector<uint32_t> zones = zones_of(source, coarse, zone_colours, weights_of(source, coarse, out));
+        const std::vector<uint32_t> zones =
+            assign_zones(source.model, source.fine, coarse, zone_areas_of(source, zone_colours, out), goals,
+                         weights_of(source, coarse, out));
         const uint32_t shades = zone_colours.size() <= one_shade_triangles ? 1 : max_shades;
         const ZoneColours usual = usual_colours(zone_colours);
         swatches.emplace_back();

@@ -16,17 +16,21 @@ namespace claque::lod
 namespace
 {
 
-constexpr double zone_tolerance = 0.0195;  // of a zone's area fraction: just below the promised 2 points
-constexpr double excess_penalty = 100;     // weight of an excess beyond the tolerance, against the zone cost
+constexpr double kept_tolerance = 0.975;  // of the promised tolerance of area fractions
+constexpr double excess_penalty = 100;    // weight of an excess beyond the tolerance, against the zone cost
 
 // A zone of at least so much of the surface shall not vanish: below a third of its fraction, what is missing of that
 // costs up to as much as so much of wrong surface.
 constexpr double least_kept = 0.01, lost_penalty = 0.15;
 
+// Weight of the mean squared error of views (see ViewCost).
+constexpr double view_weight = 4;
+
 // The cost of an edge between two zones, in area fractions: its vertices are split.
 constexpr double seam_penalty = 0.004;
 constexpr size_t max_rounds = 2000;
 constexpr size_t few = 64;            // levels of at most so many triangles get a longer search
+constexpr size_t very_few = 14;       // and of at most so many the longest
 constexpr size_t beam_width = 20000;  // partial assignments kept per step, times the number of triangles
 
 using ZoneValues = std::vector<double>;
@@ -81,17 +85,19 @@ private:
 class ZoneAssignment
 {
 public:
-    ZoneAssignment(const PosedParts &level, const ZoneCost &zone_cost, const ZoneValues &areas,
-                   const ZoneValues &wanted)
+    ZoneAssignment(const PosedParts &level, const ZoneCost &zone_cost, const ZoneValues &areas, const ZoneGoals &goals)
         : zone_cost_(zone_cost),
+          view_cost_(goals.views, areas.size(), goals.area_fractions.size(), view_weight),
           areas_(areas),
-          source_fractions_(wanted),
+          source_fractions_(goals.area_fractions),
+          zone_tolerance_(kept_tolerance * goals.tolerance),
           neighbours_(neighbours_of(level)),
-          area_fractions_(wanted.size(), 0)
+          area_fractions_(source_fractions_.size(), 0)
     {
         for (size_t t = 0; t < areas.size(); ++t) {
             zones_.push_back(zone_cost.cheapest(t));
             area_fractions_[zones_[t]] += areas[t];
+            view_cost_.set(t, ViewCost::no_zone, zones_[t]);
         }
     }
 
@@ -111,14 +117,14 @@ public:
     {
         for (size_t t = 0; t < zones.size(); ++t) set({t, zones[t]});
     }
-    // Returns the total cost: zone costs, area excess, seams.
+    // Returns the total cost: zone costs, area excess, seams, views.
     double cost() const
     {
         double sum = 0;
         for (size_t t = 0; t < zones_.size(); ++t)
             sum += zone_cost_.of(t, zones_[t]) - 0.5 * seam_penalty * equal_neighbours(t, zones_[t]);
         for (size_t zone = 0; zone < source_fractions_.size(); ++zone) sum += excess_cost(zone, area_fractions_[zone]);
-        return sum;
+        return sum + view_cost_.cost();
     }
     // Finds a good start by beam search. It assigns the largest triangle first and extends the best partial
     // assignments, so that small triangles are left to balance the fractions.
@@ -135,12 +141,13 @@ public:
             next.clear();
             for (const PartialAssignment &partial : partials)
                 for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
-                    if (partial.area_fractions[zone] + areas_[t] > source_fractions_[zone] + zone_tolerance &&
+                    if (partial.area_fractions[zone] + areas_[t] > source_fractions_[zone] + zone_tolerance_ &&
                         zone != zone_cost_.cheapest(t))
                         continue;
                     next.push_back(partial);
+                    next.back().cost += view_cost_.added(t, zone, partial.zones);
                     next.back().assign(t, zone, areas_[t], zone_cost_.of(t, zone), neighbours_[t]);
-                    const double over = next.back().area_fractions[zone] - source_fractions_[zone] - zone_tolerance;
+                    const double over = next.back().area_fractions[zone] - source_fractions_[zone] - zone_tolerance_;
                     next.back().cost += excess_penalty * std::clamp(over, 0.0, areas_[t]);
                 }
             const auto cheaper = [](const PartialAssignment &a, const PartialAssignment &b) { return a.cost < b.cost; };
@@ -152,7 +159,7 @@ public:
             double sum = partial.cost;
             for (size_t zone = 0; zone < source_fractions_.size(); ++zone)
                 sum += excess_penalty *
-                       std::max(source_fractions_[zone] - partial.area_fractions[zone] - zone_tolerance, 0.0);
+                       std::max(source_fractions_[zone] - partial.area_fractions[zone] - zone_tolerance_, 0.0);
             return sum;
         };
         return std::min_element(
@@ -181,12 +188,13 @@ private:
     {
         const double wanted = source_fractions_[zone],
                      lost = wanted >= least_kept ? std::clamp(1 - 3 * share / wanted, 0.0, 1.0) : 0;
-        return excess_penalty * std::max(std::abs(share - wanted) - zone_tolerance, 0.0) + lost_penalty * lost;
+        return excess_penalty * std::max(std::abs(share - wanted) - zone_tolerance_, 0.0) + lost_penalty * lost;
     }
     void set(Change c)
     {
         area_fractions_[zones_[c.triangle]] -= areas_[c.triangle];
         area_fractions_[c.zone] += areas_[c.triangle];
+        view_cost_.set(c.triangle, zones_[c.triangle], c.zone);
         zones_[c.triangle] = c.zone;
     }
     double gain(Change c) const
@@ -194,8 +202,9 @@ private:
         const size_t was = zones_[c.triangle];
         const double a = areas_[c.triangle];
         return zone_cost_.of(c.triangle, was) - zone_cost_.of(c.triangle, c.zone) +
-               excess_cost(was, area_fractions_[was]) - excess_cost(was, area_fractions_[was] - a) +
-               excess_cost(c.zone, area_fractions_[c.zone]) - excess_cost(c.zone, area_fractions_[c.zone] + a) +
+               view_cost_.gain(c.triangle, was, c.zone) + excess_cost(was, area_fractions_[was]) -
+               excess_cost(was, area_fractions_[was] - a) + excess_cost(c.zone, area_fractions_[c.zone]) -
+               excess_cost(c.zone, area_fractions_[c.zone] + a) +
                seam_penalty * (equal_neighbours(c.triangle, c.zone) - equal_neighbours(c.triangle, was));
     }
     // Returns how many neighbours of the triangle show the zone.
@@ -204,8 +213,8 @@ private:
         const std::vector<uint32_t> &all = neighbours_[triangle];
         return double(std::count_if(all.begin(), all.end(), [&](uint32_t t) { return zones_[t] == zone; }));
     }
-    // Searches all sequences of changes that begin with changes_. A sequence continues only if some zone has an excess,
-    // and only with changes that affect it.
+    // Searches all sequences of changes that begin with changes_. With more than `very_few` triangles a sequence
+    // continues only if some zone has an excess, and only with changes that affect it.
     void search(size_t at_once, double so_far)
     {
         for (size_t t = 0; t < areas_.size(); ++t) {
@@ -215,7 +224,8 @@ private:
                 continue;
             for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
                 if (zone == was) continue;
-                if (changes_.size() + at_once > 1 && was_off == 0 && excess_cost(zone, area_fractions_[zone]) == 0)
+                if (areas_.size() > very_few && changes_.size() + at_once > 1 && was_off == 0 &&
+                    excess_cost(zone, area_fractions_[zone]) == 0)
                     continue;
                 const double now = so_far + gain({t, zone});
                 changes_.push_back({t, zone});
@@ -231,7 +241,9 @@ private:
     }
 
     const ZoneCost &zone_cost_;
+    ViewCost view_cost_;
     const ZoneValues &areas_, &source_fractions_;
+    double zone_tolerance_;
     std::vector<std::vector<uint32_t>> neighbours_;
     ZoneValues area_fractions_;
     std::vector<size_t> zones_;
@@ -242,17 +254,17 @@ private:
 }  // namespace
 
 std::vector<uint32_t> assign_zones(const model::Model &model, const PosedParts &source, const PosedParts &level,
-                                   const std::vector<ZoneAreas> &zone_areas, const std::vector<double> &area_fractions,
+                                   const std::vector<ZoneAreas> &zone_areas, const ZoneGoals &goals,
                                    const std::vector<double> &weights)
 {
     ZoneValues areas = visible_areas(model, level);
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
     const ZoneCost zone_cost(model, source, level, zone_areas, areas, weights);
-    ZoneAssignment assignment(level, zone_cost, areas, area_fractions);
+    ZoneAssignment assignment(level, zone_cost, areas, goals);
     assignment.improve();
     if (areas.size() <= few) {
-        ZoneAssignment other(level, zone_cost, areas, area_fractions);
+        ZoneAssignment other(level, zone_cost, areas, goals);
         other.start_from(other.beam_search());
         other.improve();
         if (other.cost() < assignment.cost()) assignment.start_from(other.zones());

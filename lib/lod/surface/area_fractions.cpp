@@ -36,10 +36,10 @@ double zone_area_error(const std::vector<double> &a, const std::vector<double> &
     return maximum;
 }
 
-bool loses_zone(const std::vector<double> &source, const std::vector<double> &level)
+bool loses_zone(const std::vector<double> &source, const std::vector<double> &level, double least)
 {
     for (size_t i = 0; i < std::min(source.size(), level.size()); ++i)
-        if (source[i] >= 0.01 && level[i] * 10 < source[i]) return true;
+        if (source[i] >= least && level[i] * 10 < source[i]) return true;
     return false;
 }
 

@@ -22,7 +22,8 @@ std::vector<double> zone_area_fractions(const model::Model &model, const PosedPa
 // Returns the largest difference between two results, in [0, 1].
 double zone_area_error(const std::vector<double> &a, const std::vector<double> &b);
 
-// Returns whether a zone of at least a hundredth of the source shows less than a tenth of that in the level.
-bool loses_zone(const std::vector<double> &source, const std::vector<double> &level);
+constexpr double least_zone = 0.01;  // smaller zones may vanish from a level
+// Returns whether a zone of at least `least` of the source shows less than a tenth of that in the level.
+bool loses_zone(const std::vector<double> &source, const std::vector<double> &level, double least = least_zone);
 
 }  // namespace claque::lod

@@ -98,7 +98,7 @@ TEST(ProxyZones, CostAboutAsLittleAsTheBestOfAllAssignments)
             if (one.most_off(way) <= 0.0195) least = std::min(least, one.wrong(way));
         }
         const std::vector<uint32_t> chosen =
-            lod::assign_zones(one.model, one.level, one.level, one.zone_areas, one.wanted);
+            lod::assign_zones(one.model, one.level, one.level, one.zone_areas, {one.wanted});
         if (least == 2) continue;  // no assignment keeps the fractions
         ++kept;
         EXPECT_LE(one.most_off(chosen), 0.02) << seed;
@@ -113,6 +113,7 @@ TEST(ProxyZones, ShowTheLargestZonesWhereAreaFractionsAllowIt)
     for (uint32_t t = 0; t < triangles; ++t) one.zone_areas[t] = {{t < 4 ? 0u : 2u, one.areas[t]}};
     one.wanted.assign(zones + 1, 0);
     for (uint32_t t = 0; t < triangles; ++t) one.wanted[t < 4 ? 0 : 2] += one.areas[t];
-    const std::vector<uint32_t> chosen = lod::assign_zones(one.model, one.level, one.level, one.zone_areas, one.wanted);
+    const std::vector<uint32_t> chosen =
+        lod::assign_zones(one.model, one.level, one.level, one.zone_areas, {one.wanted});
     for (uint32_t t = 0; t < triangles; ++t) EXPECT_EQ(chosen[t], t < 4 ? 0u : 2u);
 }
