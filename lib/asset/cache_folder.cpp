@@ -46,8 +46,10 @@ void make_folders(const std::string &path)
 }
 
 // Links that another user has made lead where that user wants.
-void check_link(const std::string &path)
+void check_link(std::string path)
 {
+    // The system follows a link whose name ends in a slash.
+    while (path.size() > 1 && path.back() == '/') path.pop_back();
     struct stat facts = {};
     if (lstat(path.c_str(), &facts) == 0 && S_ISLNK(facts.st_mode) && facts.st_uid != geteuid() && facts.st_uid != 0)
         base::fail(CLQ_IO, "'%s' is a link that user %u made: remove it, or name another folder", path.c_str(),
@@ -139,7 +141,9 @@ CacheFolder::CacheFolder(const std::string &path) : path_(path)
     check_link(path);
     number_ = open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     struct stat facts = {};
-    if (number_ < 0) base::fail(CLQ_IO, "the folder '%s' cannot be used: %s", path.c_str(), std::strerror(errno));
+    if (number_ < 0)
+        base::fail(CLQ_IO, "the folder '%s' cannot be used: %s; repair that, or name another folder", path.c_str(),
+                   std::strerror(errno));
     try {
         if (fstat(number_, &facts) != 0) fail("");
         check_owner(path, facts);
@@ -153,7 +157,8 @@ CacheFolder::~CacheFolder() { close(number_); }
 
 void CacheFolder::fail(const std::string &name) const
 {
-    base::fail(CLQ_IO, "'%s/%s' cannot be written: %s", path_.c_str(), name.c_str(), std::strerror(errno));
+    base::fail(CLQ_IO, "'%s/%s' cannot be written: %s; repair that, or name another folder", path_.c_str(),
+               name.c_str(), std::strerror(errno));
 }
 
 std::vector<uint8_t> CacheFolder::read(const std::string &name) const
