@@ -1,5 +1,6 @@
 #include "lib/asset/gltf_nodes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/asset/node_matrix.h"
@@ -88,7 +89,14 @@ void link_parents(NodeTree &tree)
     std::vector<uint32_t> roots;
     for (size_t i = 0; i < tree.nodes.size(); ++i)
         if (tree.nodes[i].parent == none) roots.push_back(static_cast<uint32_t>(i));
-    if (tree.below(roots).size() != tree.nodes.size()) fail(CLQ_FORMAT, "some nodes are their own ancestors");
+    const std::vector<uint32_t> reached = tree.below(roots);
+    if (reached.size() == tree.nodes.size()) return;
+    std::vector<bool> is_reached(tree.nodes.size(), false);
+    for (const uint32_t node : reached) is_reached[node] = true;
+    // So many steps up from any other node end on a cycle.
+    uint32_t node = static_cast<uint32_t>(std::find(is_reached.begin(), is_reached.end(), false) - is_reached.begin());
+    for (size_t i = 0; i < tree.nodes.size(); ++i) node = tree.nodes[node].parent;
+    fail(CLQ_FORMAT, "nodes[%u] is its own ancestor", node);
 }
 
 void choose_scene(NodeTree &tree, const File &file)
