@@ -1,6 +1,7 @@
 // A result in a parity folder, as docs/parity.md describes it.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "samples/parity/map.h"
@@ -9,10 +10,13 @@
 namespace parity
 {
 
+// Those of a template, which its meshes and actors share.
+using ZoneNames = std::shared_ptr<const std::vector<std::string>>;
+
 struct Actor {
     uint32_t id = 0;
     std::string kind;  // template and level of detail: "citizen, level 2"
-    std::vector<std::string> zones;
+    ZoneNames zones;
     size_t first_vertex = 0, vertex_count = 0;
     double size_m = 0;  // 0: the folder has no sizes.npy
 };

@@ -14,17 +14,20 @@ namespace
 using Json = nlohmann::json;
 
 constexpr int format_version = 1, most_side = 16384;
+constexpr size_t most_name = 1024;  // of a template, which every mesh and individual repeats
 
 class Fields
 {
 public:
     Fields(const Json &json, const std::string &path) : json_(json), path_(path) {}
 
-    std::string text(const char *key) const
+    std::string text(const char *key, size_t most = SIZE_MAX) const
     {
         const Json &v = field(key);
         if (!v.is_string()) fail(key, "a string");
-        return v.get<std::string>();
+        std::string found = v.get<std::string>();
+        if (found.size() > most) fail(key, ("a string of at most " + std::to_string(most) + " bytes").c_str());
+        return found;
     }
     double number(const char *key, double low, double high) const
     {
@@ -83,12 +86,13 @@ void read_meshes(const Json &json, const std::string &path, CaptureInfo &out)
 {
     struct Template {
         std::string name;
-        std::vector<std::string> zones;
+        ZoneNames zones;
     };
     std::vector<Template> templates;
     const Fields fields(json, path);
     for (const Json &t : fields.list("templates"))
-        templates.push_back({Fields(t, path).text("name"), Fields(t, path).texts("zones")});
+        templates.push_back({Fields(t, path).text("name", most_name),
+                             std::make_shared<const std::vector<std::string>>(Fields(t, path).texts("zones"))});
     for (const Json &m : fields.list("meshes")) {
         const Fields mesh(m, path);
         const size_t which = mesh.whole("template", UINT32_MAX);

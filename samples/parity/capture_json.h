@@ -9,7 +9,7 @@ namespace parity
 struct MeshInfo {
     std::string kind;  // as Actor has it
     size_t vertices = 0;
-    std::vector<std::string> zones;
+    ZoneNames zones;
 };
 
 struct CaptureInfo {

@@ -31,7 +31,7 @@ std::string zone_text(const Capture &capture, const WorstRegion &worst)
     std::string out = actor_text(capture, actor);
     if (zone > 0 && capture.actors)
         for (const Actor &a : *capture.actors)
-            if (a.id == actor && zone <= a.zones.size()) out += ", " + a.zones[zone - 1];
+            if (a.id == actor && zone <= a.zones->size()) out += ", " + (*a.zones)[zone - 1];
     return out + ", " + pixels(worst.pixels);
 }
 

@@ -37,13 +37,23 @@ TEST_F(CaptureFolder, IsReadWhole)
     EXPECT_EQ((*c.actors)[1].id, 5u);
     EXPECT_EQ((*c.actors)[1].kind, "man, level 2");
     EXPECT_EQ((*c.actors)[1].first_vertex, 3u);
-    EXPECT_EQ((*c.actors)[2].zones, (std::vector<std::string>{"plumage"}));
+    EXPECT_EQ(*(*c.actors)[2].zones, (std::vector<std::string>{"plumage"}));
     EXPECT_EQ((*c.actors)[2].size_m, 0.5);
     EXPECT_EQ(c.positions->size(), 30u);
     EXPECT_EQ(c.colour->rgb.size(), 16u * 12 * 3);
     EXPECT_EQ(c.actor->at(3, 0), 2u);
     EXPECT_EQ(c.zone->at(9, 11), 2u);
     EXPECT_EQ(c.depth->at(0, 0), 1.0f);
+}
+
+// So that a folder of many meshes and zones takes no more memory than it has bytes, many times over.
+TEST_F(CaptureFolder, HoldsTheZonesOfATemplateOnce)
+{
+    const Capture c = read_capture(folder("r"));
+    EXPECT_EQ((*c.actors)[0].zones, (*c.actors)[1].zones);
+    EXPECT_NE((*c.actors)[0].zones, (*c.actors)[2].zones);
+    replace("r", "capture.json", "\"man\"", "\"" + std::string(1025, 'm') + "\"");
+    EXPECT_NE(refusal().find("'name' has to be a string of at most 1024 bytes"), std::string::npos) << refusal();
 }
 
 TEST_F(CaptureFolder, MayLeaveOutAnyArray)
