@@ -7,6 +7,7 @@
 
 #include "samples/cli/frame_division.h"
 #include "samples/cli/frame_worker.h"
+#include "samples/cli/message.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/cli/work_share.h"
 #include "samples/processes/frame_shares.h"
@@ -34,7 +35,7 @@ MakeAnswering answering_by(const RenderArguments &a, uint8_t *pages, processes::
 {
     return [&a, pages, ranks](int threads) -> processes::Answering {
         const auto made = std::make_shared<FrameWorker>(a, threads, pages, ranks);
-        return [made](const std::string &task) { return made->answer(Json::parse(task)); };
+        return [made](const std::string &task) { return made->answer(message_of<Json>(task)); };
     };
 }
 
@@ -84,7 +85,7 @@ const Subject &FrameCrew::subject()
     std::optional<Json> first;
     for (uint32_t i = 0; i < s.team->size(); ++i) {
         const processes::Team::Answer answer = s.team->wait();
-        const Json told = Json::parse(answer.text);
+        const Json told = message_of<Json>(answer.text);
         if (told.contains("provenance")) expect_same_pixels(first, told["provenance"], answer.worker);
         s.subject = Subject{told["count"], told["context"]};
         s.warnings = told["warnings"].get<std::vector<std::string>>();
@@ -131,7 +132,7 @@ void FrameCrew::State::draw_frames(const std::vector<Frame> &frames, const Done 
         const processes::Team::Answer answer = team->wait();
         const Given one = given[answer.worker].front();
         given[answer.worker].pop_front();
-        held[one.index] = {answer.worker, one.at, Json::parse(answer.text)};
+        held[one.index] = {answer.worker, one.at, message_of<Json>(answer.text)};
         while (!held.empty() && (!in_order || held.begin()->first == written)) {
             const auto [index, frame] = *held.begin();
             Json report = frame_report(frames[index]);
@@ -178,7 +179,7 @@ Json FrameCrew::State::finish_tiles(const std::vector<Frame> &frames, size_t ind
     std::vector<double> costs(tiles.size());
     for (size_t i = 0; i < tiles.size(); ++i) {
         const processes::Team::Answer answer = team->wait();
-        tiles[answer.worker] = Json::parse(answer.text);
+        tiles[answer.worker] = message_of<Json>(answer.text);
         costs[answer.worker] = tiles[answer.worker]["cpu_ms"];
     }
     borders.follow(costs);

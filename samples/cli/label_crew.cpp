@@ -2,6 +2,7 @@
 
 #include <deque>
 
+#include "samples/cli/message.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/work_share.h"
 
@@ -24,7 +25,7 @@ std::string packed(const LabelledFiles &made)
 LabelledFiles unpacked(const std::string &message)
 {
     size_t at = message.find('\n');
-    const Json head = Json::parse(message.begin(), message.begin() + static_cast<std::ptrdiff_t>(at));
+    const Json head = message_of<Json>(message.substr(0, at));
     LabelledFiles made = {head["about"], head["report"], {}};
     ++at;
     for (const Json &file : head["files"]) {
@@ -65,7 +66,7 @@ std::string LabelCrew::gl()
     std::optional<Json> first;
     for (uint32_t i = 0; i < team_->size(); ++i) {
         const processes::Team::Answer answer = team_->wait();
-        expect_same_pixels(first, Json::parse(answer.text), answer.worker);
+        expect_same_pixels(first, message_of<Json>(answer.text), answer.worker);
     }
     return (*first)["gl"];
 }

@@ -4,6 +4,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/provenance.h"
+#include "samples/io/json.h"
 #include "samples/labels/frame_files.h"
 
 namespace cli
@@ -13,12 +14,13 @@ namespace
 
 namespace fs = std::filesystem;
 
-// Null: no such file, or no JSON.
+// Null or discarded: no such file, no JSON, or nested deeper than any file of labels.
 labels::Json read_json(const fs::path &path)
 {
     std::error_code none;
     if (!fs::is_regular_file(path, none)) return {};
-    return labels::Json::parse(text_of(path.string()), nullptr, false);
+    std::string problem;
+    return io::parse_json<labels::Json>(text_of(path.string()), problem);
 }
 
 // "/scene/hour is 8 there and 9 here".

@@ -7,6 +7,7 @@
 #include "samples/cli/files.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/sequence.h"
+#include "samples/io/json.h"
 #include "samples/scenes/check.h"
 
 namespace cli
@@ -74,7 +75,12 @@ ReadManifest read_manifest(const std::string &path, const Json &json)
     return found;
 }
 
-Json parsed(const std::string &path) { return Json::parse(text_of(path), nullptr, false); }
+// Discarded: no JSON, or nested deeper than any manifest.
+Json parsed(const std::string &path)
+{
+    std::string problem;
+    return io::parse_json<Json>(text_of(path), problem);
+}
 
 void compare_about(const ReadManifest &first, const ReadManifest &other, FilmReport &report)
 {

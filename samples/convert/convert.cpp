@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/convert/import.h"
+#include "samples/io/json.h"
 #include "samples/scenes/check.h"
 
 namespace convert
@@ -20,11 +21,15 @@ std::string packed(const Converted &converted)
     return Json(converted.warnings).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n" + converted.glb;
 }
 
-Converted unpacked(std::string bytes)
+// `what`: the child, which reads files that may damage it.
+Converted unpacked(const std::string &what, std::string bytes)
 {
     const size_t line = bytes.find('\n');
     Converted out;
-    out.warnings = nlohmann::json::parse(bytes.substr(0, line)).get<std::vector<std::string>>();
+    std::string problem;
+    const auto warnings = io::parse_json<nlohmann::json>(bytes.substr(0, line), problem);
+    if (!problem.empty()) throw scenes::Failure(what + " gave warnings whose text " + problem);
+    out.warnings = warnings.get<std::vector<std::string>>();
     bytes.erase(0, line + 1);
     out.glb = std::move(bytes);
     return out;
@@ -34,8 +39,8 @@ Converted unpacked(std::string bytes)
 
 Converted convert_file(const std::string &path, const Options &options, const Limits &limits)
 {
-    return unpacked(
-        run_in_child("Assimp, reading " + path + ",", limits, [&] { return packed(import_file(path, options)); }));
+    const std::string what = "Assimp, reading " + path + ",";
+    return unpacked(what, run_in_child(what, limits, [&] { return packed(import_file(path, options)); }));
 }
 
 #else

@@ -9,18 +9,32 @@ namespace io
 
 constexpr int max_json_depth = 64;
 
+// Whether lists and members nest too deep. Wrong syntax may hide that only where the parser would stop before it. The
+// parser could ask for itself at each value, but then walks through a list at the end of each of its members.
+inline bool is_deep_json(const std::string &json)
+{
+    int depth = 0;
+    bool quoted = false;
+    for (size_t i = 0; i < json.size(); ++i) {
+        const char c = json[i];
+        if (quoted && c == '\\') ++i;
+        else if (c == '"') quoted = !quoted;
+        else if (!quoted && (c == ']' || c == '}')) --depth;
+        else if (!quoted && (c == '[' || c == '{') && ++depth > max_json_depth) return true;
+    }
+    return false;
+}
+
 // Returns a discarded value and says in `problem` what is wrong with it, as in "is not JSON".
 template <class Json>
 Json parse_json(const std::string &json, std::string &problem)
 {
     problem.clear();
-    const auto shallow = [&problem](int depth, typename Json::parse_event_t, Json &) {
-        if (depth > max_json_depth) problem = "is nested more than " + std::to_string(max_json_depth) + " deep";
-        return depth <= max_json_depth;
-    };
-    Json parsed = Json::parse(json, shallow, false);
+    Json parsed(Json::value_t::discarded);
+    if (is_deep_json(json)) problem = "is nested more than " + std::to_string(max_json_depth) + " deep";
+    else parsed = Json::parse(json, nullptr, false);
     if (problem.empty() && parsed.is_discarded()) problem = "is not JSON";
-    return problem.empty() ? parsed : Json(Json::value_t::discarded);
+    return parsed;
 }
 
 }  // namespace io

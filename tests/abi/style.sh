@@ -26,4 +26,7 @@ report 'lines of Python with more than 120 columns' \
     "$(echo "$scripts" | grep '\.py$' | xargs awk 'length > 120 { print FILENAME ":" FNR }')"
 report 'names of tests are sentences in CamelCase, suites too' \
     "$(echo "$sources" | xargs grep -nE '^(TYPED_)?TEST(_F|_P)?\((([a-z]|[A-Za-z0-9]+_)[A-Za-z0-9_]*, |[A-Za-z0-9_]+, ([a-z]|[A-Za-z0-9]+_))' || true)"
+# The parser itself has no limit of depth, and its values are copied, compared and freed by recursion.
+report 'JSON is read by samples/io/json.h or lib/asset/json_parse.cpp, which limit its depth' \
+    "$(echo "$sources" | grep -v '^tests/\|^samples/io/json.h$' | xargs grep -nE '[Jj]son::parse\(' || true)"
 exit $bad
