@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <stdexcept>
+#include <sys/resource.h>
 #include <thread>
 #include <vector>
 
@@ -58,6 +59,20 @@ TEST(Child, IsStoppedWhenItsTimeIsUp)
     limits.seconds = 1;
     const auto sleep = [] { return std::this_thread::sleep_for(std::chrono::hours(1)), std::string(); };
     EXPECT_EQ(failure_of(limits, sleep), "The work was stopped after 1 s");
+}
+
+TEST(Child, HasNoMoreOfTheProcessorThanOfTheClock)
+{
+    convert::Limits limits;
+    limits.seconds = 7;
+    const auto read_limit = [] {
+        rlimit found = {};
+        getrlimit(RLIMIT_CPU, &found);
+        return std::to_string(found.rlim_cur) + " and " + std::to_string(found.rlim_max);
+    };
+    EXPECT_EQ(convert::run_in_child("The work", limits, read_limit), "7 and 7");
+    const auto is_over = [] { return std::raise(SIGXCPU), std::string(); };
+    EXPECT_EQ(failure_of(limits, is_over), "The work was stopped after 7 s");
 }
 
 TEST(Child, TakesNoMoreMemoryThanAllowed)

@@ -185,13 +185,27 @@ TEST(Draco, AStreamThatDisagreesWithTheFileIsRefusedByItsNumbers)
         has(refusal([](DracoFile &f) {
                 for (const char *name : {"POSITION", "JOINTS_0", "WEIGHTS_0"}) f.accessor(name)["count"] = 224;
             }),
-            "225");
+            "it has 225 vertices, the file says 224");
         has(refusal([](DracoFile &f) { f.accessor("JOINTS_0")["count"] = 224; }), "224");
         has(refusal([](DracoFile &f) { f.accessor("JOINTS_0")["type"] = "VEC3"; }), "4 numbers a vertex");
         has(refusal([](DracoFile &f) { f.extension()["attributes"]["JOINTS_0"] = 9; }), "no attribute 9");
         has(refusal([](DracoFile &f) { f.extension()["attributes"].erase("POSITION"); }), "POSITION is missing");
         has(refusal([](DracoFile &f) { f.maker.binary[f.first] = 'X'; }), "do not begin as a Draco stream");
         has(refusal([](DracoFile &f) { f.accessor("indices")["componentType"] = f32; }), "no unsigned integers");
+    }
+}
+
+// The number of vertices stands before that of triangles in one method, and behind it in the other.
+TEST(Draco, MoreVerticesThanTheTrianglesHaveCornersAreRefusedBeforeTheDecoderRuns)
+{
+    for (const bool edgebreaker : {false, true}) {
+        DracoFile file(edgebreaker);
+        const size_t at = file.first + (edgebreaker ? 12 : 13);  // behind the header; two bytes hold 225 and 392
+        ASSERT_EQ(file.maker.binary[at], (225 & 127) | 128) << edgebreaker;
+        file.maker.binary[at] = 255, file.maker.binary[at + 1] = 127;
+        const Outcome outcome = outcome_of(skinned(file));
+        EXPECT_EQ(outcome.status, CLQ_FORMAT) << edgebreaker;
+        EXPECT_NE(outcome.text.find("it says 16383 vertices for 392 triangles"), std::string::npos) << outcome.text;
     }
 }
 
@@ -213,6 +227,7 @@ TEST(Draco, CountsThatTheFileCannotHoldAreRefusedBeforeTheDecoderRuns)
     file.accessor("indices")["count"] = 3000000000u;
     const Outcome outcome = outcome_of(file.maker.glb());
     EXPECT_EQ(outcome.status, CLQ_LIMIT) << outcome.text;
+    EXPECT_NE(outcome.text.find("KHR_draco_mesh_compression would take 60000"), std::string::npos) << outcome.text;
 }
 
 TEST(Draco, DamagedStreamsGiveASentence)

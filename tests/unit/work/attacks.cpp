@@ -48,24 +48,7 @@ Bytes root_motion_clips(size_t count)
     return maker.glb();
 }
 
-Bytes images_on_one_view(size_t count)
-{
-    Maker maker;
-    maker.triangle();
-    const int view = maker.view(make_png(64, 64, 8, Bytes(65, 0), 64));
-    const int uvs = maker.floats("VEC2", 3, {0, 0, 1, 0, 0, 1});
-    const Json primitive = {{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", uvs}}}};
-    maker.json["meshes"][0]["primitives"] = Json::array();
-    for (size_t i = 0; i < count; ++i) {
-        maker.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
-        maker.add("textures", {{"source", i}});
-        maker.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
-        Json with = primitive;
-        with["material"] = i;
-        maker.json["meshes"][0]["primitives"].push_back(with);
-    }
-    return maker.glb();
-}
+Bytes few_texels_on_one_view(size_t count) { return images_on_one_view(count, 64, false); }
 
 // As many joints as nodes that the skin moves.
 Bytes nodes_on_one_skin(size_t count)
@@ -80,6 +63,17 @@ Bytes nodes_on_one_skin(size_t count)
     for (size_t i = 0; i < count; ++i) {
         maker.json["nodes"][i + 1]["mesh"] = 0;
         maker.json["nodes"][i + 1]["skin"] = 0;
+    }
+    return maker.glb();
+}
+
+Bytes degrees_of_freedom(size_t count)
+{
+    Maker maker = with_nodes(count);
+    for (size_t i = 0; i < count; ++i) {
+        const Json dof = {
+            {"kind", "rotation"}, {"axis", {0, 1, 0}}, {"min", -1}, {"max", 1}, {"name", "d" + std::to_string(i)}};
+        maker.json["nodes"][i + 1]["extras"]["claque"]["dofs"] = Json::array({dof});
     }
     return maker.glb();
 }
@@ -143,6 +137,37 @@ Bytes tinted_images(size_t count, uint32_t side)
     return maker.glb();
 }
 
+Bytes images_on_one_view(size_t count, uint32_t side, bool extras)
+{
+    Maker maker;
+    maker.triangle();
+    const int view = maker.view(make_png(side, side, 8, Bytes(side + 1, 0), side));
+    const int uvs = maker.floats("VEC2", 3, {0, 0, 1, 0, 0, 1});
+    const Json primitive = {{"attributes", {{"POSITION", 0}, {"TEXCOORD_0", uvs}}}};
+    maker.json["meshes"][0]["primitives"] = Json::array();
+    for (size_t i = 0; i < count; ++i) {
+        maker.add("images", {{"bufferView", view}, {"mimeType", "image/png"}});
+        if (extras) maker.json["images"][i]["extras"] = {{"number", i}};
+        maker.add("textures", {{"source", i}});
+        maker.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+        Json with = primitive;
+        with["material"] = i;
+        maker.json["meshes"][0]["primitives"].push_back(with);
+    }
+    return maker.glb();
+}
+
+Bytes clips_of_a_node_each(size_t count)
+{
+    Maker maker = with_nodes(count);
+    const int times = maker.floats("SCALAR", 2, {0, 0.125f});
+    const int values = maker.floats("VEC3", 2, {0, 0, 0, 1, 0, 0});
+    for (size_t i = 0; i < count; ++i)
+        maker.add("animations", {{"channels", Json::array({channel(0, i + 1, "translation")})},
+                                 {"samplers", Json::array({{{"input", times}, {"output", values}}})}});
+    return maker.glb();
+}
+
 Bytes long_root_motion(float length_s)
 {
     Maker maker = with_nodes(1);
@@ -156,10 +181,13 @@ Bytes long_root_motion(float length_s)
 
 const std::vector<Attack> &reader_attacks()
 {
-    static const std::vector<Attack> all = {
-        {"buffers as data URIs", data_uri_buffers},        {"clips with root motion", root_motion_clips},
-        {"images on one buffer view", images_on_one_view}, {"nodes on one skin", nodes_on_one_skin},
-        {"channels on the same keys", shared_keys},        {"joints without channels", joints_without_channels, true}};
+    static const std::vector<Attack> all = {{"buffers as data URIs", data_uri_buffers},
+                                            {"clips with root motion", root_motion_clips},
+                                            {"images on one buffer view", few_texels_on_one_view},
+                                            {"nodes on one skin", nodes_on_one_skin},
+                                            {"channels on the same keys", shared_keys},
+                                            {"degrees of freedom", degrees_of_freedom},
+                                            {"joints without channels", joints_without_channels, true}};
     return all;
 }
 

@@ -23,6 +23,11 @@ Bytes long_clips(size_t nodes, size_t clips, float length_s);
 Bytes tinted_images(size_t count, uint32_t side);
 // One clip of `count` channels, each for a node of its own, that share `count` keys.
 Bytes shared_keys(size_t count);
+// `count` short clips, each of which moves one of as many nodes.
+Bytes clips_of_a_node_each(size_t count);
+// A triangle on `count` materials, each with an image of its own on the same bytes: a square of `side` texels. With
+// `extras`, which may tell images apart.
+Bytes images_on_one_view(size_t count, uint32_t side, bool extras);
 // One clip of `length_s` seconds, from which root motion is asked.
 Bytes long_root_motion(float length_s);
 

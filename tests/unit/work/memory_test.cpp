@@ -17,6 +17,8 @@
 #include "../asset/heap_meter.h"
 #include "../asset/png.h"
 #include "attacks.h"
+#include "lib/asset/decoders.h"
+#include "packed.h"
 #include "tests/support/written_characters.h"
 
 namespace claque::testing
@@ -220,6 +222,22 @@ TEST_F(MemoryLaw, HoldsForLevelsOfManyTriangles)
          {std::pair<size_t, size_t>(2000, 1), {2000, 2}, {10000, 2}, {30000, 1}, {1000, 100}})
         hold_all("net of " + std::to_string(count) + " on " + std::to_string(nodes), nets(count, nodes));
     EXPECT_GT(held_, 50);
+}
+
+TEST_F(MemoryLaw, HoldsForCompressedFiles)
+{
+    for (const size_t count : {200, 4000, 20000})
+        for (const auto &[name, file] : {std::pair<const char *, PackedFile>("meshopt", meshopt_sheet(count)),
+                                         {"Draco, sequential", draco_sheet(count, false)},
+                                         {"Draco, edgebreaker", draco_sheet(count, true)}})
+            if (!file.bytes.empty()) hold_all(name, file.bytes, file.unpacked);
+    for (const uint32_t side : {64, 2048})
+        if (const PackedFile file = webp_square(side); !file.bytes.empty()) hold_all("WebP", file.bytes);
+    const bool all = asset::has_decoder(asset::Decoder::meshopt) && asset::has_decoder(asset::Decoder::draco) &&
+                     asset::has_decoder(asset::Decoder::webp);
+    if (all) {
+        EXPECT_EQ(held_, 44);
+    }
 }
 
 TEST_F(MemoryLaw, HoldsForPreparing)

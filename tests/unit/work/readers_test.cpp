@@ -40,6 +40,31 @@ TEST(ReaderWork, GrowsWithTheFileWhateverItCounts)
     }
 }
 
+// Images that read the same bytes are one, so that a picture is decoded once however many images show it.
+TEST(ReaderWork, OfImagesOnOneViewDoesNotGrowWithTheirTexels)
+{
+    const auto reading_images = [](size_t count, uint32_t side) {
+        const Bytes bytes = images_on_one_view(count, side, false);
+        size_t images = 0;
+        const uint64_t work = blocks_entered([&] { images = load(bytes).images.size(); });
+        EXPECT_EQ(images, 1u);
+        return work;
+    };
+    const uint64_t small = reading_images(200, 8) - reading_images(1, 8);
+    const uint64_t large = reading_images(200, 200) - reading_images(1, 200);
+    EXPECT_LE(large, small + small / 10);
+}
+
+// Extras may tell images of the same bytes apart. Then each is decoded, and counts as if the file held its texels.
+TEST(ReaderWork, OfImagesThatExtrasTellApartIsRefusedBeyondTheFilesSize)
+{
+    const Bytes few = images_on_one_view(20, 64, true), many = images_on_one_view(3000, 256, true);
+    EXPECT_EQ(load(few).images.size(), 20u);
+    const Outcome outcome = outcome_of(many);
+    EXPECT_EQ(outcome.status, CLQ_LIMIT) << outcome.text;
+    EXPECT_NE(outcome.text.find("would take 262144 bytes: more than 40 times"), std::string::npos) << outcome.text;
+}
+
 TEST(ReaderWork, OfAFileThatNamesItselfManyTimesIsToReadItOnce)
 {
     std::string folder = (std::filesystem::temp_directory_path() / "claque-work-XXXXXX").string();
@@ -95,6 +120,16 @@ TEST(ReaderWork, OfProposedZonesGrowsWithTheTrianglesAndNotWithTheirAreas)
         // 64 rows of a triangle, and not its 1660 texels.
         EXPECT_LE((many - one) / 3000, shifted ? 64u * 200 : 1000u);
     }
+}
+
+TEST(ReaderWork, OfProposedZonesIsRefusedBeyondTheRowsOfTheTriangles)
+{
+    model::Model model = stacked(1200, true);
+    model.images[0] = {1, 4096, std::vector<uint8_t>(4 * 4096, 200), model::AlphaMeaning::opacity, "paint"};
+    for (glm::vec2 &uv : model.parts[0].uvs) uv.y *= 4;  // 14 700 rows each
+    const Outcome outcome = outcome_of([&] { asset::propose_zones(model, 0, 4); });
+    EXPECT_EQ(outcome.status, CLQ_LIMIT);
+    EXPECT_NE(outcome.text.find("1200 triangles of 'stack' cover more than 17"), std::string::npos) << outcome.text;
 }
 
 TEST(ProposedZones, CoverTheTexelsWhoseCentresLieInTriangles)
