@@ -121,10 +121,15 @@ bool is_of_readers(const BenchArguments &a) { return a.subject == "readers"; }
 
 std::vector<ReaderElement> reader_elements()
 {
-    std::vector<ReaderElement> all = reader_elements_of_assets();
-    for (const ReaderElement &element : reader_elements_of_saves()) all.push_back(element);
-    for (const ReaderElement &element : reader_elements_of_records()) all.push_back(element);
-    for (const ReaderElement &element : reader_elements_of_others()) all.push_back(element);
+    std::vector<ReaderElement> all;
+    for (const auto &source :
+         {reader_elements_of_assets, reader_elements_of_saves, reader_elements_of_records, reader_elements_of_pictures,
+          reader_elements_of_captures, reader_elements_of_tracks, reader_elements_of_areas,
+#ifdef CLAQUE_STAGED
+          reader_elements_of_machines,
+#endif
+          reader_elements_of_others})
+        for (const ReaderElement &element : source()) all.push_back(element);
     return all;
 }
 

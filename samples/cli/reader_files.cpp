@@ -11,8 +11,6 @@ namespace
 
 using Json = nlohmann::json;
 
-constexpr uint32_t most = 100000;
-
 Json channel(size_t node) { return {{"sampler", 0}, {"target", {{"node", node}, {"path", "translation"}}}}; }
 Json extras(const char *what, Json value) { return {{"claque", {{what, std::move(value)}}}}; }
 
@@ -256,30 +254,30 @@ std::vector<ReaderElement> reader_elements_of_assets()
 {
     using namespace readers;
     return {
-        {"glTF", "nodes", most, nodes, read_asset},
-        {"glTF", "nodes below one another", most, node_depth, read_asset},
-        {"glTF", "nodes with one mesh", most, nodes_with_mesh, read_asset},
-        {"glTF", "meshes", most, meshes, read_asset},
-        {"glTF", "primitives", most, primitives, read_asset},
-        {"glTF", "triangles", most, vertices, read_asset},
-        {"glTF", "triangles on one another", most, indices, read_asset},
-        {"glTF", "accessors", most, accessors, read_asset},
-        {"glTF", "buffer views", most, buffer_views, read_asset},
-        {"glTF", "buffers", most, buffers, read_asset},
-        {"glTF", "materials", most, materials, read_asset},
-        {"glTF", "textures and images", most, textures, read_asset},
-        {"glTF", "skins", most, skins, read_asset},
+        {"glTF", "nodes", most_elements, nodes, read_asset},
+        {"glTF", "nodes below one another", most_elements, node_depth, read_asset},
+        {"glTF", "nodes with one mesh", most_elements, nodes_with_mesh, read_asset},
+        {"glTF", "meshes", most_elements, meshes, read_asset},
+        {"glTF", "primitives", most_elements, primitives, read_asset},
+        {"glTF", "triangles", most_elements, vertices, read_asset},
+        {"glTF", "triangles on one another", most_elements, indices, read_asset},
+        {"glTF", "accessors", most_elements, accessors, read_asset},
+        {"glTF", "buffer views", most_elements, buffer_views, read_asset},
+        {"glTF", "buffers", most_elements, buffers, read_asset},
+        {"glTF", "materials", most_elements, materials, read_asset},
+        {"glTF", "textures and images", most_elements, textures, read_asset},
+        {"glTF", "skins", most_elements, skins, read_asset},
         {"glTF", "joints", 65536, joints, read_asset},
         {"glTF", "nodes and joints of one skin", 65536, nodes_on_one_skin, read_asset},
-        {"glTF", "animations", most, animations, read_asset},
-        {"glTF", "animations with root motion", most, root_motions, read_asset},
-        {"glTF", "channels", most, channels, read_asset},
-        {"glTF", "keys", most, keys, read_asset},
+        {"glTF", "animations", most_elements, animations, read_asset},
+        {"glTF", "animations with root motion", most_elements, root_motions, read_asset},
+        {"glTF", "channels", most_elements, channels, read_asset},
+        {"glTF", "keys", most_elements, keys, read_asset},
         {"glTF", "morph targets", 65535, morph_targets, read_asset},
         {"glTF", "markers", 4096, markers, read_asset},
-        {"glTF", "degrees of freedom", most, degrees_of_freedom, read_asset},
+        {"glTF", "degrees of freedom", most_elements, degrees_of_freedom, read_asset},
         {"BVH", "joints", 4990, bvh_joints, read_clips},
-        {"BVH", "frames", most, bvh_frames, read_clips},
+        {"BVH", "frames", most_elements, bvh_frames, read_clips},
         {"BVH", "joints without channels, and frames", 4990, bvh_both, read_clips},
     };
 }

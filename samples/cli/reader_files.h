@@ -16,18 +16,25 @@ struct Reading {
     std::string loaded = "ok", built = "-";
 };
 
+constexpr uint32_t most_elements = 100000;
+
 struct ReaderElement {
     const char *format, *element;
-    uint32_t limit;  // the most that a file may have, and at most 100 000
+    uint32_t limit;  // the most that a file may have, and at most most_elements
     std::string (*make)(uint32_t count);
     Reading (*read)(scenes::Library &library, const std::string &bytes);
 };
 
-// Of all formats. Those of glTF and BVH alone, of saves, of records, and the others.
+// Of all formats; then those of each source. Machines are there where libclaque-stage is.
 std::vector<ReaderElement> reader_elements();
 std::vector<ReaderElement> reader_elements_of_assets();
 std::vector<ReaderElement> reader_elements_of_saves();
 std::vector<ReaderElement> reader_elements_of_records();
+std::vector<ReaderElement> reader_elements_of_pictures();
+std::vector<ReaderElement> reader_elements_of_captures();
+std::vector<ReaderElement> reader_elements_of_tracks();
+std::vector<ReaderElement> reader_elements_of_areas();
+std::vector<ReaderElement> reader_elements_of_machines();
 std::vector<ReaderElement> reader_elements_of_others();
 
 // Files that other formats are made from.
@@ -39,6 +46,7 @@ std::string gltf_with_animations(uint32_t count);
 std::string gltf_with_markers(uint32_t count);
 std::string gltf_with_morph_targets(uint32_t count);
 std::string gltf_with_degrees_of_freedom(uint32_t count);
+std::string gltf_with_pixels(uint32_t count);
 
 double processor_ms();
 std::string outcome_of(clq_status status);

@@ -1,14 +1,13 @@
-// The formats of `claque bench readers` besides glTF, BVH and saves: prepared templates, TOML, pictures, zone maps.
+// Prepared templates, TOML and zone maps for `claque bench readers`.
 #include <claque/claque.h>
 #include <claque/colour_files.h>
 #include <claque/zones.h>
 
 #include <cmath>
+#include <cstring>
 
-#include "samples/cli/gltf_writer.h"
 #include "samples/cli/joint_map.h"
 #include "samples/cli/reader_parts.h"
-#include "samples/io/png.h"
 #include "samples/scenes/scenario/scenario.h"
 
 namespace cli
@@ -20,8 +19,6 @@ namespace
 
 using scenes::check;
 using scenes::Own;
-
-constexpr uint32_t most = 100000;
 
 // For readers of the samples, which throw.
 template <class Work>
@@ -183,41 +180,10 @@ Reading read_scenario_text(scenes::Library &, const std::string &bytes)
     return timed([&] { return thrown_of([&] { scenes::read_scenario(bytes, "scenario", {"", {}, there}); }); });
 }
 
-std::vector<uint8_t> pixels_of(uint32_t width, uint32_t height)
-{
-    std::vector<uint8_t> rgb(3 * size_t(width) * height);
-    for (size_t i = 0; i < rgb.size(); ++i) rgb[i] = static_cast<uint8_t>(i * 7 + i / 971);
-    return rgb;
-}
-
-// A triangle that shows the picture.
-std::string gltf_of(const std::vector<unsigned char> &picture)
-{
-    GltfFile file;
-    const size_t image = file.add("images", {{"mimeType", "image/png"}, {"bufferView", file.bytes(picture)}});
-    const size_t texture = file.add("textures", {{"source", image}});
-    file.primitive()["attributes"]["TEXCOORD_0"] = file.floats("VEC2", {0, 0, 1, 0, 0, 1});
-    file.primitive()["material"] =
-        file.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", texture}}}}}});
-    return file.glb();
-}
-
-std::string with_pixels(uint32_t count)
-{
-    const uint32_t rows = std::max(count / 100, 1u), columns = std::max(count / rows, 1u);
-    return gltf_of(io::png(pixels_of(columns, rows).data(), int(columns), int(rows), {}));
-}
-
-std::string with_chunks(uint32_t count)
-{
-    const io::Words words(count, {"Comment", "x"});
-    return gltf_of(io::png(pixels_of(8, 8).data(), 8, 8, words));
-}
-
 // The texels of a map of one image; its zones alternate.
 Reading read_zone_map(scenes::Library &library, const std::string &bytes)
 {
-    const Own<clq_asset> asset = asset_of(library, with_pixels(10000));
+    const Own<clq_asset> asset = asset_of(library, gltf_with_pixels(10000));
     clq_zone_map_def def = clq_zone_map_def_init();
     const uint32_t texels = static_cast<uint32_t>(bytes.size() / 2);
     std::vector<uint16_t> zones(texels);
@@ -254,29 +220,27 @@ Reading read_proposal(scenes::Library &library, const std::string &bytes)
 std::vector<ReaderElement> reader_elements_of_others()
 {
     using namespace other_readers;
-    return {{"prepared", "nodes", most, prepared<gltf_with_nodes>, read_prepared},
-            {"prepared", "triangles", most, prepared<gltf_with_triangles>, read_prepared},
-            {"prepared", "keys", most, prepared<gltf_with_keys>, read_prepared},
+    return {{"prepared", "nodes", most_elements, prepared<gltf_with_nodes>, read_prepared},
+            {"prepared", "triangles", most_elements, prepared<gltf_with_triangles>, read_prepared},
+            {"prepared", "keys", most_elements, prepared<gltf_with_keys>, read_prepared},
             {"prepared", "channels", 1000, prepared<gltf_with_channels>, read_prepared},
-            {"prepared", "animations", most, prepared<gltf_with_animations>, read_prepared},
+            {"prepared", "animations", most_elements, prepared<gltf_with_animations>, read_prepared},
             {"prepared", "markers", 4096, prepared<gltf_with_markers>, read_prepared},
             {"prepared", "morph targets", 65535, prepared<gltf_with_morph_targets>, read_prepared},
-            {"prepared", "degrees of freedom", most, prepared<gltf_with_degrees_of_freedom>, read_prepared},
+            {"prepared", "degrees of freedom", most_elements, prepared<gltf_with_degrees_of_freedom>, read_prepared},
             {"colours", "classes", 256, colour_classes, read_colours},
             {"colours", "zones of a class", 255, colour_zones, read_colours},
             {"colours", "entries of a palette", 64, colour_entries, read_colours},
-            {"colours", "lines of comment", most, comments, read_colours},
-            {"joints", "joints of a map", most, map_joints, read_map},
+            {"colours", "lines of comment", most_elements, comments, read_colours},
+            {"joints", "joints of a map", most_elements, map_joints, read_map},
             {"path", "keys", 40000, path_keys, read_path},
             {"scenario", "classes", 64, scenario_classes, read_scenario_text},
-            {"scenario", "zones of a class", most, scenario_zones, read_scenario_text},
+            {"scenario", "zones of a class", most_elements, scenario_zones, read_scenario_text},
             {"scenario", "rows", 100, scenario_rows, read_scenario_text},
-            {"scenario", "gangways", most, scenario_gangways, read_scenario_text},
+            {"scenario", "gangways", most_elements, scenario_gangways, read_scenario_text},
             {"scenario", "walkways", 40000, scenario_walkways, read_scenario_text},
-            {"PNG", "pixels", most, with_pixels, read_asset},
-            {"PNG", "chunks", most, with_chunks, read_asset},
             {"zones", "texels of a map", 65536, zone_texels, read_zone_map},
-            {"zones", "texels of a proposal", most, with_pixels, read_proposal}};
+            {"zones", "texels of a proposal", most_elements, gltf_with_pixels, read_proposal}};
 }
 
 }  // namespace cli

@@ -12,8 +12,6 @@ using scenes::Own;
 namespace
 {
 
-constexpr uint32_t most_recorded = 100000;
-
 struct DestroyRecord {
     void operator()(clq_record *p) const { clq_record_destroy(p); }
 };
@@ -105,10 +103,10 @@ Reading read_record(scenes::Library &library, const std::string &bytes)
 
 std::vector<ReaderElement> reader_elements_of_records()
 {
-    return {{"record", "steps", most_recorded, recorded_steps, read_record},
-            {"record", "plays of one actor", most_recorded, recorded_plays, read_record},
-            {"record", "actors that come", most_recorded, recorded_actors, read_record},
-            {"record", "groups that one actor joins", most_recorded, recorded_groups, read_record}};
+    return {{"record", "steps", most_elements, recorded_steps, read_record},
+            {"record", "plays of one actor", most_elements, recorded_plays, read_record},
+            {"record", "actors that come", most_elements, recorded_actors, read_record},
+            {"record", "groups that one actor joins", most_elements, recorded_groups, read_record}};
 }
 
 }  // namespace cli

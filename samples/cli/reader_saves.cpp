@@ -32,8 +32,6 @@ Own<clq_template> template_of(const scenes::Library &library, const std::string 
 namespace
 {
 
-constexpr uint32_t most = 100000;
-
 struct SavedCrowd {
     scenes::Library library{1};
     Own<clq_template> tmpl = template_of(library, gltf_with_animations(1));
@@ -112,10 +110,10 @@ Reading read_save(scenes::Library &library, const std::string &bytes)
 
 std::vector<ReaderElement> reader_elements_of_saves()
 {
-    return {{"save", "actors", most, saved_actors, read_save},
-            {"save", "groups", most, saved_groups, read_save},
-            {"save", "members of one group", most, saved_members, read_save},
-            {"save", "layers", most, saved_layers, read_save},
+    return {{"save", "actors", most_elements, saved_actors, read_save},
+            {"save", "groups", most_elements, saved_groups, read_save},
+            {"save", "members of one group", most_elements, saved_members, read_save},
+            {"save", "layers", most_elements, saved_layers, read_save},
             {"save", "attachments of one actor", 10000, saved_attachments, read_save}};
 }
 

@@ -15,6 +15,26 @@ namespace
 using Json = nlohmann::json;
 using BenchReaders = Command;
 
+#ifdef CLAQUE_STAGED
+constexpr bool has_stage = true;
+#else
+constexpr bool has_stage = false;
+#endif
+
+// The word of elements that this build cannot read.
+std::vector<std::string> unread()
+{
+    std::vector<std::string> out;
+#ifndef CLAQUE_HAS_WEBP
+    out.emplace_back("WebP");
+#endif
+#ifndef CLAQUE_HAS_EXPAT
+    out.emplace_back("SUMO");
+    out.emplace_back("JuPedSim");
+#endif
+    return out;
+}
+
 TEST_F(BenchReaders, ReadEveryFormat)
 {
     const Outcome done = claque({"bench", "readers", "--count", "30", "--json"});
@@ -28,13 +48,18 @@ TEST_F(BenchReaders, ReadEveryFormat)
         EXPECT_TRUE(names.insert(name).second) << name << " twice";
         EXPECT_EQ(run["count"], 30) << name;
         EXPECT_GT(run["bytes"], 30u) << name;
-        EXPECT_EQ(run["loaded"], "ok") << name;
+        bool is_read = true;
+        for (const std::string &word : unread()) is_read = is_read && name.find(word) == std::string::npos;
+        EXPECT_EQ(run["loaded"], is_read ? "ok" : "CLQ_UNSUPPORTED") << name;
         EXPECT_TRUE(run["built"] == "ok" || run["built"] == "-") << name << ": " << run["built"];
         EXPECT_TRUE(run["lawful"]) << name;
     }
-    EXPECT_EQ(formats, (std::set<std::string>{"BVH", "PNG", "colours", "glTF", "joints", "path", "prepared", "record",
-                                              "save", "scenario", "zones"}));
-    EXPECT_GE(names.size(), 57u);
+    std::set<std::string> expected = {"BVH",      "JPEG",   "PNG",    "WebP",     "area", "colours",
+                                      "glTF",     "joints", "npy",    "parity",   "path", "save",
+                                      "prepared", "record", "tracks", "scenario", "zones"};
+    if (has_stage) expected.insert("machine");
+    EXPECT_EQ(formats, expected);
+    EXPECT_GE(names.size(), has_stage ? 109u : 99u);
 }
 
 TEST_F(BenchReaders, PrintALineForEachElement)
