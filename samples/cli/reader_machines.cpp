@@ -130,7 +130,7 @@ std::vector<ReaderElement> reader_elements_of_machines()
             {"machine", "clips of an action", 4000, clips, read_machine},
             {"machine", "terms of an expression", 100, terms, read_machine},
             {"machine", "variables", 64, variables, read_machine},
-            {"machine", "events", 256, events, read_machine},
+            {"machine", "events", 240, events, read_machine},
             {"machine", "lines of comment", 100000, comments, read_machine}};
 }
 

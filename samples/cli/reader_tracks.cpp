@@ -40,8 +40,7 @@ std::string petrack_disordered(uint32_t count)
 
 std::string petrack_comments(uint32_t count)
 {
-    return repeated(
-        petrack_head, count, [](uint32_t i) { return "# " + digits(i) + "\n"; }, "1 1 0 0 175\n1 2 1 0 175\n");
+    return repeated(petrack_rows(2), count, [](uint32_t i) { return "# " + digits(i) + "\n"; });
 }
 
 std::string obsmat_rows(uint32_t count)
