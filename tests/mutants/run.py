@@ -144,10 +144,22 @@ def run_test(test, limit_s, mutant_id=0):
     return "passed", "", seconds
 
 
+def part_without_test(test):
+    """A part of the filter that matches no test of the program, or None."""
+    for part in test[1].split("-")[0].split(":"):
+        listed = subprocess.run([str(executable_of(test[0])), "--gtest_list_tests", f"--gtest_filter={part}"],
+                                capture_output=True, text=True).stdout
+        if not re.search(r"(?m)^  \S", listed):
+            return part
+    return None
+
+
 def check_baseline(mutants, may_skip):
     """Every named test passes when no mutant is chosen; returns the seconds of each that is not skipped."""
     seconds = {}
     for test in sorted({test for mutant in mutants for test in mutant.tests}):
+        if part := part_without_test(test):
+            fail(f"no test of {test[0]} is named {part}")
         happened, what, taken = run_test(test, 1800)
         if happened == "skipped" and may_skip:
             continue
