@@ -114,6 +114,30 @@ TEST_F(Comparing, APictureOfColoursAloneIsNotEnough)
     EXPECT_TRUE(verdict("loose").pass);
 }
 
+TEST_F(Comparing, ExactAndGpuFailWherePeopleVerticesNormalsIdsDepthOrColourAreAbsent)
+{
+    const struct {
+        const char *group;
+        void (*forget)(Capture &);
+    } cases[] = {{"actors", [](Capture &c) { c.actors.reset(); }},
+                 {"positions", [](Capture &c) { c.positions.reset(); }},
+                 {"normals", [](Capture &c) { c.normals.reset(); }},
+                 {"actor_ids", [](Capture &c) { c.actor.reset(); }},
+                 {"zone_ids", [](Capture &c) { c.zone.reset(); }},
+                 {"depth", [](Capture &c) { c.depth.reset(); }},
+                 {"colour", [](Capture &c) { c.colour.reset(); }}};
+    const Capture whole = a;
+    for (const auto &one : cases) {
+        a = b = whole;
+        one.forget(a), one.forget(b);
+        for (const char *tolerance : {"exact", "gpu"}) {
+            const Verdict v = verdict(tolerance);
+            EXPECT_FALSE(v.pass) << tolerance << " without " << one.group;
+            EXPECT_EQ(reasons(v, 9).find(std::string(one.group) + " was not compared"), 0u) << reasons(v, 9);
+        }
+    }
+}
+
 TEST_F(Comparing, WithoutATableTheOrderOfTheOtherHolds)
 {
     b.actors.reset();
