@@ -1,12 +1,10 @@
 // claque play: pictures of the people in a file of trajectories, as they walked, or of the crowd in a record.
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
-#include <cstring>
 
 #include "samples/cli/command.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
+#include "samples/cli/run_record.h"
 #include "samples/cli/track_arguments.h"
 #include "samples/cli/work_share.h"
 #include "samples/scenes/walkers/replay.h"
@@ -45,49 +43,6 @@ void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
     a.range.last = static_cast<int>((info.max_s - info.min_s) * a.fps);
 }
 
-// A file to which a crowd is recorded while it is drawn. Each piece is on its way to the disk before the next update,
-// so that a run that ends early leaves what it has shown.
-class RecordOut
-{
-public:
-    explicit RecordOut(const std::string &path) : path_(path), file_(std::fopen(path.c_str(), "wb"))
-    {
-        if (!file_) throw scenes::Failure(path + ": " + std::strerror(errno));
-    }
-    ~RecordOut()
-    {
-        if (file_) std::fclose(file_);
-    }
-    RecordOut(const RecordOut &) = delete;
-    RecordOut &operator=(const RecordOut &) = delete;
-
-    void begin(clq_crowd *crowd)
-    {
-        clq_recording_def def = clq_recording_def_init();
-        def.write = write, def.user = file_;
-        scenes::check(clq_crowd_begin_recording(crowd, &def), path_);
-        crowd_ = crowd;
-    }
-    void end()
-    {
-        if (!crowd_) return;
-        scenes::check(clq_crowd_end_recording(crowd_, nullptr), path_);
-        crowd_ = nullptr;
-        if (std::fclose(std::exchange(file_, nullptr)) != 0) throw scenes::Failure(path_ + ": " + std::strerror(errno));
-    }
-
-private:
-    static int write(void *user, const void *bytes, size_t size)
-    {
-        auto *file = static_cast<std::FILE *>(user);
-        return std::fwrite(bytes, 1, size, file) == size && std::fflush(file) == 0 ? 0 : 1;
-    }
-
-    std::string path_;
-    std::FILE *file_;
-    clq_crowd *crowd_ = nullptr;
-};
-
 void expect_trajectories(const CLI::App &command)
 {
     for (const char *name : {"--columns", "--rate", "--unit", "--up", "--vehicles", "--ground", "--record"})
@@ -120,7 +75,7 @@ void take_scenario(SceneArguments &setup, bool is_record)
 
 // Of the scene that the options name, with its record.
 auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<const scenes::Scenario> &scenario,
-                 const std::shared_ptr<std::unique_ptr<RecordOut>> &record)
+                 const std::shared_ptr<std::unique_ptr<RunRecord>> &record)
 {
     const scenes::walkers::Options options = walkers_of(tracks);
     const scenes::walkers::ReplayOptions replay = {tracks.file, names_in(tracks.characters), options.follow};
@@ -134,7 +89,7 @@ auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<const scene
         if (!path.empty()) asked.as_shown = false;  // a record has all people, whatever was drawn
         std::unique_ptr<scenes::Scene> scene = scenes::walkers::make(library, asked, with_progress);
         if (!path.empty()) {
-            *record = std::make_unique<RecordOut>(path);
+            *record = std::make_unique<RunRecord>(path);
             (*record)->begin(scene->crowd());
         }
         return scene;
@@ -189,15 +144,20 @@ void add_play(CLI::App &app, Work &chosen)
         if (!tracks->record.empty()) a->again = true;
         if (!tracks->record.empty() && process_count(a->processes) > 1)
             throw CLI::ValidationError("--record", "needs one process, which sees all of the crowd's calls");
-        const auto record = std::make_shared<std::unique_ptr<RecordOut>>();
+        const auto record = std::make_shared<std::unique_ptr<RunRecord>>();
         a->setup.make = scene_maker(*tracks, a->setup.described, record);
         a->drawn = [record] {
-            if (*record) (*record)->end();
+            if (*record) (void)(*record)->end();
         };
         check_picture_usage(*a);
-        chosen = [a, tracks, whole] {
+        chosen = [a, tracks, whole, record] {
             if (whole) take_all_frames(*a, *tracks);
-            render(*a);
+            try {
+                render(*a);
+            } catch (...) {
+                if (*record) (*record)->forget_crowd();
+                throw;
+            }
         };
     });
 }

@@ -23,6 +23,8 @@ public:
     void begin(clq_crowd *crowd);
     // Throws Failure; nothing is at the path then.
     clq_recording_info end();
+    // For a crowd that was destroyed before the end: no record is kept of it.
+    void forget_crowd() { crowd_ = nullptr; }
 
 private:
     static int write(void *user, const void *bytes, size_t size);
