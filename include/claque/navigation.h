@@ -210,21 +210,21 @@ static inline clq_walker_def clq_walker_def_init(void)
 
 /* Adds a walker that stands, from now on.
  * Fails: STRUCT_SIZE, ARGUMENT (a number; no ground near the position), LIMIT (max_count), OUT_OF_MEMORY.
- * Threads: one call on these walkers at a time, as for all calls below. */
+ * Threads: one call on these walkers at a time. */
 CLQ_API clq_status clq_walkers_add(clq_walkers *walkers, const clq_walker_def *def, clq_walker *out);
 
-/* Removes a walker. Its last piece stays. Fails: ARGUMENT, STALE_ID. */
+/* Removes a walker. Its last piece stays. Fails: ARGUMENT, STALE_ID. Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walkers_remove(clq_walkers *walkers, clq_walker walker);
 
 /* Sends a walker to a goal: it goes as near as it can, and has arrived within near_m, or behind others that stand
  * there. Replaces its goal.
  *   near_m      [0.05, 100]
  *   speed_m_s   [0, 8] 0: its own
- * Fails: ARGUMENT (no ground within 2 m of the goal), STALE_ID. */
+ * Fails: ARGUMENT (no ground within 2 m of the goal), STALE_ID. Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walker_go(clq_walkers *walkers, clq_walker walker, const double goal[3], float near_m,
                                  float speed_m_s);
 
-/* Ends a walker's goal: it stops. Fails: ARGUMENT, STALE_ID. */
+/* Ends a walker's goal: it stops. Fails: ARGUMENT, STALE_ID. Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walker_stop(clq_walkers *walkers, clq_walker walker);
 
 typedef enum clq_walker_state {
@@ -247,7 +247,7 @@ CLQ_DEFINE_ZERO_INIT(clq_walker_info)
 
 /* Gets the state of a walker.
  *   out   made by clq_walker_info_init
- * Fails: STRUCT_SIZE, ARGUMENT, STALE_ID. */
+ * Fails: STRUCT_SIZE, ARGUMENT, STALE_ID. Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walkers_get_walker(const clq_walkers *walkers, clq_walker walker, clq_walker_info *out);
 
 /* A piece of the track of a walker, on the clock of the walkers: follow it with start_s 0. */
@@ -260,10 +260,11 @@ typedef struct clq_walker_piece {
 /* Moves all walkers on by a tick. Every walker with a locomotion publishes a piece each piece_ticks, at a tick of its
  * own. The piece holds what the walker has done; only the steps at its end need a guess of what it will do.
  * Fails: ARGUMENT, OUT_OF_MEMORY, CALLBACK (`ground` threw; after both the walkers have moved, and the next step first
- * makes the pieces that are missing, and gives all of both ticks). */
+ * makes the pieces that are missing, and gives all of both ticks). Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walkers_step(clq_walkers *walkers);
 
-/* Gets the pieces that the last step published, by walker. The array lives until the next step. Fails: ARGUMENT. */
+/* Gets the pieces that the last step published, by walker. The array lives until the next step. Fails: ARGUMENT.
+ * Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walkers_get_pieces(const clq_walkers *walkers, const clq_walker_piece **out, uint32_t *count);
 
 typedef struct clq_walkers_info {
@@ -278,7 +279,7 @@ CLQ_DEFINE_ZERO_INIT(clq_walkers_info)
 
 /* Gets the counts of a set of walkers.
  *   out   made by clq_walkers_info_init
- * Fails: STRUCT_SIZE, ARGUMENT. */
+ * Fails: STRUCT_SIZE, ARGUMENT. Threads: as clq_walkers_add. */
 CLQ_API clq_status clq_walkers_get_info(const clq_walkers *walkers, clq_walkers_info *out);
 
 /* Lets the agents of a stage walk: those whose template has a locomotion in clq_machine_def.locomotions. Walkers are

@@ -129,13 +129,14 @@ static inline clq_renderer_def clq_renderer_def_init(void)
  *   out   owned by the host until clq_renderer_destroy or clq_renderer_abandon
  * Fails: STRUCT_SIZE, ARGUMENT, GL_MISSING (no current context; the first missing function, by name), OUT_OF_MEMORY,
  * CALLBACK (get_proc_address threw an exception).
- * Threads: that of the current context, here and below. GL: queries only. */
+ * Threads: that of the current context. GL: queries only. */
 CLQ_API clq_status clq_renderer_create(clq_context *context, const clq_renderer_def *def, clq_renderer **out);
 
 /* Loads a template's textures into GL, before the first draw that shows it. Repeated calls do nothing. The renderer
  * holds the template until it is destroyed.
  * Fails: ARGUMENT (a template of another context), LIMIT (a texture too large for this GL), KEY_RESOLUTION (names the
- * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY (of GL too), BUSY. GL: textures. */
+ * zones), GL_STATE (names what would spoil the upload), GL_MISSING, OUT_OF_MEMORY (of GL too), BUSY. Threads: that of
+ * the context that was current in clq_renderer_create, and with it current. GL: textures. */
 CLQ_API clq_status clq_renderer_prepare(clq_renderer *renderer, clq_template *tmpl);
 
 /* The result of preparing a template. */
@@ -157,7 +158,8 @@ CLQ_DEFINE_ZERO_INIT(clq_prepared_info)
 
 /* Gets the result of preparing a template.
  *   out   made by clq_prepared_info_init
- * Fails: STRUCT_SIZE, ARGUMENT (also a template that is not prepared), BUSY. GL: none. */
+ * Fails: STRUCT_SIZE, ARGUMENT (also a template that is not prepared), BUSY. Threads: as clq_renderer_prepare.
+ * GL: none. */
 CLQ_API clq_status clq_renderer_get_prepared(const clq_renderer *renderer, const clq_template *tmpl,
                                              clq_prepared_info *out);
 
@@ -186,15 +188,16 @@ CLQ_DEFINE_ZERO_INIT(clq_draw_stats)
  * textures). Fails after drawing the rest: OUT_OF_MEMORY (the update left individuals out, see
  * clq_crowd_stats.left_out; GL has no memory for close textures, and their individuals are drawn by the strategy),
  * GL_STATE (what hooks leave, see above), CALLBACK (a hook threw an exception). Fails after drawing a part: GL_MISSING
- * (the context was lost meanwhile, see clq_renderer_abandon). GL: see above. */
+ * (the context was lost meanwhile, see clq_renderer_abandon). Threads: as clq_renderer_prepare. GL: see above. */
 CLQ_API clq_status clq_renderer_draw(clq_renderer *renderer, clq_view *view, clq_draw_stats *out_stats);
 
 /* Destroys a renderer while its GL context is current; NULL is ignored. Fails: BUSY (it is drawing, and a hook calls
- * this); the renderer then stays. GL: deletes its textures. */
+ * this); the renderer then stays. Threads: as clq_renderer_prepare. GL: deletes its textures. */
 CLQ_API clq_status clq_renderer_destroy(clq_renderer *renderer);
 
 /* Destroys a renderer whose GL context is lost, without GL calls; NULL is ignored. Another renderer may draw the same
- * crowd at once. Fails: BUSY, as clq_renderer_destroy. GL: none. */
+ * crowd at once. Fails: BUSY, as clq_renderer_destroy. Threads: any, while no other call uses the renderer.
+ * GL: none. */
 CLQ_API clq_status clq_renderer_abandon(clq_renderer *renderer);
 
 #ifdef __cplusplus

@@ -128,30 +128,32 @@ typedef struct clq_scene_hit {
  *   time_s     on the clock of clq_crowd_update; any
  *   filter     NULL: all
  *   out_hits   [capacity]
- * Fail: STRUCT_SIZE, ARGUMENT (NULL; a number that is not finite, negative or out of order), BUSY. Threads: any. GL:
- * none. */
+ * Fail: STRUCT_SIZE, ARGUMENT (NULL; a number that is not finite, negative or out of order), BUSY. GL: none. */
 
 /* Places nearest to a point; in the order of distance, then of index1. *out_count is at most capacity, and the call
  * looks no further than for that many.
- *   max_distance   [>= 0] may be infinite */
+ *   max_distance   [>= 0] may be infinite
+ * Threads: any. */
 CLQ_API clq_status clq_scene_find_nearest(const clq_scene *scene, double time_s, const double point[3],
                                           double max_distance, const clq_scene_filter *filter, clq_scene_hit *out_hits,
                                           uint32_t capacity, uint32_t *out_count);
 
 /* All places within a distance from a point; in the order of distance, then of index1.
- *   radius   [>= 0] may be infinite */
+ *   radius   [>= 0] may be infinite
+ * Threads: any. */
 CLQ_API clq_status clq_scene_find_within(const clq_scene *scene, double time_s, const double point[3], double radius,
                                          const clq_scene_filter *filter, clq_scene_hit *out_hits, uint32_t capacity,
                                          uint32_t *out_count);
 
 /* Places within a box along the axes of the world, its sides included; in the order of index1. Distances are 0.
- *   low, high   low[k] <= high[k]; either may be infinite */
+ *   low, high   low[k] <= high[k]; either may be infinite
+ * Threads: any. */
 CLQ_API clq_status clq_scene_find_in_box(const clq_scene *scene, double time_s, const double low[3],
                                          const double high[3], const clq_scene_filter *filter, clq_scene_hit *out_hits,
                                          uint32_t capacity, uint32_t *out_count);
 
 /* Bodies that meet what a camera sees; in the order of index1. A body at an outer edge of the pyramid may be found too.
- * Distances are from the eye to the place. */
+ * Distances are from the eye to the place. Threads: any. */
 CLQ_API clq_status clq_scene_find_in_frustum(const clq_scene *scene, double time_s, const clq_camera *camera,
                                              const clq_scene_filter *filter, clq_scene_hit *out_hits, uint32_t capacity,
                                              uint32_t *out_count);
@@ -164,7 +166,7 @@ typedef struct clq_ray {
 } clq_ray;
 
 /* Bodies that a ray meets; in the order of the distance at which it enters them (0: it begins within), then of
- * index1. */
+ * index1. Threads: any. */
 CLQ_API clq_status clq_scene_find_on_ray(const clq_scene *scene, double time_s, const clq_ray *ray,
                                          const clq_scene_filter *filter, clq_scene_hit *out_hits, uint32_t capacity,
                                          uint32_t *out_count);

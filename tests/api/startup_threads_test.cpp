@@ -102,6 +102,32 @@ TEST(StartUp, OfACharacterIsTheSameByTwoAndFiveThreads) { is_the_same_by_threads
 
 TEST(StartUp, OfQuadricOnlyLevelsIsTheSameToo) { is_the_same_by_threads("decurion", true); }
 
+// One context, an asset for each thread, and one that all of them read.
+TEST(Assets, OfOneContextAreMadeReadAndBuiltOnThreadsOfTheirOwn)
+{
+    Context host(1);
+    clq_asset *shared = nullptr;
+    ASSERT_EQ(clq_asset_builtin(host.context, "owl", &shared), CLQ_OK);
+    const auto clips_of = [&] {
+        clq_asset_info info = clq_asset_info_init();
+        EXPECT_EQ(clq_asset_get_info(shared, &info), CLQ_OK) << clq_last_error();
+        return info.clip_count;
+    };
+    const uint32_t clips = clips_of();
+    const Made wanted = made(host, "citizen", true);
+    std::vector<std::thread> threads;
+    for (int k = 0; k < 3; ++k)
+        threads.emplace_back([&] {
+            EXPECT_EQ(clips_of(), clips);
+            const Made found = made(host, "citizen", true);
+            EXPECT_EQ(found.levels, wanted.levels);
+            EXPECT_EQ(found.tmpl, wanted.tmpl);
+            EXPECT_EQ(clips_of(), clips);
+        });
+    for (std::thread &thread : threads) thread.join();
+    clq_asset_destroy(shared);
+}
+
 TEST(Tasks, OfAContextAreLentToOthersAndRunEachJobOnce)
 {
     for (const uint32_t threads : {1u, 3u}) {

@@ -1,4 +1,7 @@
 // Doors: walkers that come wait, those that stand in one walk out, and none jumps.
+#include <atomic>
+#include <thread>
+
 #include "tests/unit/walk/floors.h"
 
 using floors::Held;
@@ -64,4 +67,34 @@ TEST(WalkersAtADoor, OfACrowdAllWaitAndNoneIsInTheDoor)
     ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, true), CLQ_OK);
     held.step(900);
     for (const clq_walker walker : people) EXPECT_GT(held.info(walker).position[0], 8.25);
+}
+
+// Calls on one navigation and its walkers wait for each other.
+TEST(WalkersAtADoor, MayBeSteppedWhileOtherThreadsOpenItAndAskForWays)
+{
+    const Held held(floors::two_rooms(true));
+    const clq_walker walker = held.add(1, 3);
+    std::atomic<bool> stop{false};
+    std::atomic<uint32_t> asked{0};
+    std::thread doors([&] {
+        for (bool open = false; !stop; open = !open)
+            EXPECT_EQ(clq_navigation_set_door(held.navigation, 0, open), CLQ_OK) << clq_last_error();
+    });
+    std::thread ways([&] {
+        const double from[3] = {1, 0, 3};
+        while (!stop) {
+            bool open = false, found = false;
+            double nearest[3];
+            EXPECT_EQ(clq_navigation_get_door(held.navigation, 0, &open), CLQ_OK) << clq_last_error();
+            EXPECT_EQ(clq_navigation_find_nearest(held.navigation, from, 1, nearest, &found), CLQ_OK)
+                << clq_last_error();
+            ++asked;
+        }
+    });
+    for (int round = 0; round < 40 || asked < 40; ++round) {
+        held.go(walker, round % 2 ? 1 : 15, 3);
+        held.step(5);
+    }
+    stop = true;
+    doors.join(), ways.join();
 }
