@@ -64,7 +64,7 @@ protected:
 std::unique_ptr<Room> Multichannel::room;
 std::string Multichannel::why_not;
 
-TEST_F(Multichannel, ShowsWhatOneWidePictureShowsToThePixel)
+TEST_F(Multichannel, ShowsWhatOneWidePictureShowsButForRoundedEdges)
 {
     constexpr size_t pixels = size_t(wide) * height;
     for (const double time_s : {3.0, 7.7, 11.0}) {

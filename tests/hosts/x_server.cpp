@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdexcept>
+#include <string>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -42,19 +44,25 @@ std::string read_number(int from)
 
 }  // namespace
 
+// Only its absence is a reason to skip a test: an Xvfb that does not start fails it.
 XServer::XServer()
 {
-    why_not_ = "no X server to run it in: Xvfb does not start (Debian: xvfb)";
+    if (std::system("command -v Xvfb > /dev/null") != 0) {
+        why_not_ = "no X server to run it in: Xvfb is not installed (Debian: xvfb)";
+        return;
+    }
     int ends[2];
-    if (pipe(ends) != 0) return;
+    if (pipe(ends) != 0) throw std::runtime_error("no pipe for Xvfb");
     process_ = fork();
     if (process_ == 0) become_server(ends[1]);
     close(ends[1]);
     const std::string number = process_ > 0 ? read_number(ends[0]) : "";
     close(ends[0]);
-    if (number.empty()) return;
+    if (number.empty()) {
+        if (process_ > 0) kill(process_, SIGKILL), waitpid(process_, nullptr, 0);
+        throw std::runtime_error("Xvfb is installed and does not start");
+    }
     setenv("DISPLAY", (":" + number).c_str(), 1);
-    why_not_.clear();
 }
 
 XServer::~XServer()

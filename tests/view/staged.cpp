@@ -1,6 +1,7 @@
 #include "tests/view/staged.h"
 
 #include "samples/view/designer/line_up.h"
+#include "tests/gl/support/absent.h"
 
 namespace view_test
 {
@@ -30,7 +31,7 @@ void Staged::SetUp()
 {
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::any, 8, 8, contexts::PixelFormat::rgba8888, why_not))
-        GTEST_SKIP() << why_not;
+        END_WITHOUT_CONTEXT(contexts::Kind::any, why_not);
 }
 
 view::Session &Staged::open(const Stage &stage)
