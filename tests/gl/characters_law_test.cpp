@@ -83,7 +83,8 @@ TEST_P(AllCharactersLaw, HoldsOnRealCharacters)
     EXPECT_GT(paths.size(), 20u);
     for (const std::string &path : paths) {
         SCOPED_TRACE(path);
-        hold(posed_of(load(path)));
+        const model::Model character = load(path);
+        hold(posed_of(character), character);
     }
 }
 
@@ -99,7 +100,7 @@ TEST_P(CharactersLaw, HoldsOnRealCharactersWithZonesAcrossTheirTriangles)
         rezone(character, 10);
         const PosedModel posed = posed_of(character);
         EXPECT_GT(posed.tmpl->report.dirty, 50u);
-        hold(posed);
+        hold(posed, character);
     }
 }
 
@@ -112,7 +113,11 @@ TEST_P(WrittenCharactersLaw, Holds)
     most_ties_share_ = 1e-5;
     for (const std::string &name : written::characters()) {
         SCOPED_TRACE(name);
-        hold(posed_of(load(written::folder() + name)));
+        const model::Model character = load(written::folder() + name);
+        // Nodes of these mirror parts: the splitter turns their triangles round, and GL interpolates from another
+        // corner.
+        if (name == "WrittenMorph.gltf" || name == "WrittenOdd.gltf") hold(posed_of(character));
+        else hold(posed_of(character), character);
     }
 }
 
@@ -125,13 +130,13 @@ TEST_P(WrittenCharactersLaw, HoldsWithZonesAcrossTheirTriangles)
         rezone(character, 10);
         const PosedModel posed = posed_of(character);
         EXPECT_GT(posed.tmpl->report.dirty, 50u);
-        hold(posed);
+        hold(posed, character);
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(targets(2)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(targets(4)), name_of_target);
 INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::ValuesIn(targets(1)), name_of_target);
-INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(targets(2)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(targets(4)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

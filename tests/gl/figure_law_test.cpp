@@ -1,5 +1,6 @@
 // The law of zones on the built-in characters, at rest and in their clips.
 #include "lib/figures/figure.h"
+#include "tests/gl/support/driver.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -30,7 +31,7 @@ TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(targets(2)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(targets(on_softpipe() ? 2 : 4)), name_of_target);
 
 }  // namespace
 }  // namespace gltest

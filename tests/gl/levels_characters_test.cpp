@@ -39,7 +39,12 @@ TEST_P(LevelsOfCharacters, HoldTheLawOfZones)
     if (!is_written && !std::ifstream(levels_folder + "inventory.json"))
         GTEST_SKIP() << "no assets in " << levels_folder;
     const std::string path = written::path_of(GetParam(), levels_folder);
-    EXPECT_GE(hold(load_character(path), 256, 4), is_written ? 12u : 20u);
+    // By turns in each context and format.
+    const std::vector<Target> all = targets(4);
+    const Target &target = all[std::hash<std::string>()(GetParam()) % all.size()];
+    const uint32_t cameras = hold(target, load_character(path), 256, 4);
+    if (IsSkipped()) return;
+    EXPECT_GE(cameras, is_written ? 12u : 20u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Are, LevelsOfCharacters,

@@ -43,8 +43,18 @@ TEST_P(SplitLaw, HoldsForWrappedAndClampedTextures)
 
 TEST_P(SplitLaw, HoldsForImagesThatHaveToBeResized)
 {
-    hold(split_posed(model_of(sheet(7, 0.2f), torture_map(100, 8, 3), awkward_keys(8, 1, 9), model::Wrap::repeat)));
-    hold(split_posed(model_of(sheet(7, 0.2f), torture_map(1, 1, 1), awkward_keys(1, 0, 1), model::Wrap::repeat)));
+    Mesh beyond = sheet(7, 0.2f), within = sheet(7, 0.2f);
+    for (glm::vec2 &uv : beyond.uvs) uv = 2.7f * uv - glm::vec2(0.83f, 0.61f);
+    for (glm::vec2 &uv : within.uvs) uv = 0.4f * uv + glm::vec2(0.17f, 0.31f);  // most texels are seen by nothing
+    for (const Mesh &mesh : {sheet(7, 0.2f), beyond, within})
+        for (const model::Wrap wrap : {model::Wrap::repeat, model::Wrap::clamp, model::Wrap::mirror})
+            for (const uint32_t side : {100u, 1u}) {
+                SCOPED_TRACE(testing::Message() << "side " << side << ", wrap " << int(wrap));
+                const uint32_t zones = side > 1 ? 8 : 1;
+                const model::Model source =
+                    model_of(mesh, torture_map(side, zones, zones > 1 ? 3 : 1), awkward_keys(zones, 1, 9), wrap);
+                hold(split_posed(source), source);
+            }
 }
 
 INSTANTIATE_TEST_SUITE_P(On, SplitLaw, testing::ValuesIn(targets(4)), name_of_target);

@@ -33,12 +33,18 @@ Law::Law(contexts::Offscreen &context, const PosedModel &posed, const model::Mod
     constexpr Place places[] = {
         {"near", 0.9f, 0.3f, 0.2f}, {"whole", 2.6f, -0.5f, 0.4f}, {"far", 30, 0.7f, 0}, {"edge-on", 2.6f, 1.53f, 0}};
     const float aspect = float(context.width()) / float(context.height());
+    std::unique_ptr<SourceLook> look;
+    if (source) {
+        SourceImages images(*source);
+        look = std::make_unique<SourceLook>(context, images, *posed.tmpl, colours_.data(), posed.texture_set);
+    }
     for (const Place &place : places) {
         View view;
         view.name = place.name;
         view.camera = camera_on(posed, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
-        view.plain = source ? draw_source(context, *source, posed, view.camera, colours_.data())
-                            : draw_plain(context, posed, view.camera, colours_.data());
+        view.plain = look ? draw_source(context, {{look.get(), posed.positions.data(), view.camera.model_view}},
+                                        view.camera.projection)
+                          : draw_plain(context, posed, view.camera, colours_.data());
         view.forwards = draw_ids(context, posed, view.camera, Order::forwards);
         view.backwards = draw_ids(context, posed, view.camera, Order::backwards);
         const Comparison itself = compare(view.plain, view.plain, view.forwards, view.backwards);

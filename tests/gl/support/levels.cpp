@@ -6,6 +6,7 @@
 #include "lib/lod/chain.h"
 #include "meshsplit/build.h"
 #include "tests/gl/support/absent.h"
+#include "tests/gl/support/source_picture.h"
 #include "tests/gl/support/split.h"
 
 namespace gltest
@@ -24,15 +25,17 @@ Camera drawn_by_lot(const PosedModel &posed, uint64_t seed, float aspect)
 
 }  // namespace
 
-void LevelsTest::SetUp()
+void LevelsTest::make_context(const Target &target)
 {
     std::string why;
-    context_ = contexts::make_offscreen(contexts::Kind::osmesa, 96, 72, contexts::PixelFormat::rgba8888, why);
-    if (!context_) END_WITHOUT_CONTEXT(contexts::Kind::osmesa, why);
+    context_ = contexts::make_offscreen(target.kind, 96, 72, target.format, why);
+    if (!context_) END_WITHOUT_CONTEXT(target.kind, why);
 }
 
-uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t cameras_a_level)
+uint32_t LevelsTest::hold(const Target &target, model::Model character, uint32_t texture_px, uint32_t cameras_a_level)
 {
+    make_context(target);
+    if (!context_) return 0;
     // One clip is enough for posing; spheres of all clips take longer than all the pictures.
     if (character.rig.clips.size() > 1) {
         character.rig.clips.resize(1, character.rig.clips[0]);
@@ -47,6 +50,7 @@ uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t 
     posed.tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
     claque::meshsplit::build(character, options, *posed.tmpl);
     whiten(*posed.tmpl);
+    SourceImages images(character, texture_px);
     const bool still = character.rig.clips.empty();
     const uint32_t levels = static_cast<uint32_t>(posed.tmpl->levels.size());
     for (uint32_t level = 0; level < levels; ++level) {
@@ -55,7 +59,7 @@ uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t 
         skin(*posed.tmpl, still ? model::none : 0, still ? 0 : double(character.rig.clips[0].start_s) + 0.3,
              posed.positions, posed.normals);
         measure(posed);
-        hold_level(posed, level, cameras_a_level);
+        hold_level(posed, images, level, cameras_a_level);
         std::swap(posed.tmpl->levels[0], posed.tmpl->levels[level]);
     }
     RecordProperty("ties", std::to_string(ties_) + " of " + std::to_string(covered_) + " pixels");
@@ -63,7 +67,7 @@ uint32_t LevelsTest::hold(model::Model character, uint32_t texture_px, uint32_t 
     return levels * cameras_a_level;
 }
 
-void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t cameras)
+void LevelsTest::hold_level(PosedModel &posed, SourceImages &images, uint32_t level, uint32_t cameras)
 {
     const std::vector<uint8_t> colours = zone_colours(posed.tmpl->zone_count());
     const float aspect = float(context_->width()) / float(context_->height());
@@ -77,10 +81,16 @@ void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t ca
         const auto prepared = renderers.back()->prepare(*posed.tmpl);
         ASSERT_TRUE(prepared.ok()) << prepared.text;
     }
+    std::vector<std::unique_ptr<SourceLook>> looks;
+    for (uint32_t set = 0; set < posed.tmpl->texture_set_count(); ++set)
+        looks.push_back(std::make_unique<SourceLook>(*context_, images, *posed.tmpl, colours.data(), set));
     const uint64_t covered_before = covered_;
     for (uint32_t i = 0; i < cameras; ++i) {
+        posed.texture_set = i % static_cast<uint32_t>(looks.size());
         const Camera camera = drawn_by_lot(posed, 1000 * level + i, aspect);
-        const Picture plain = draw_plain(*context_, posed, camera, colours.data());
+        const Picture plain =
+            draw_source(*context_, {{looks[posed.texture_set].get(), posed.positions.data(), camera.model_view}},
+                        camera.projection);
         const Picture forwards = draw_ids(*context_, posed, camera, Order::forwards);
         const Picture backwards = draw_ids(*context_, posed, camera, Order::backwards);
         const Comparison itself = compare(plain, plain, forwards, backwards);
@@ -88,8 +98,8 @@ void LevelsTest::hold_level(const PosedModel &posed, uint32_t level, uint32_t ca
         for (size_t k = 0; k < renderers.size(); ++k) {
             const Picture coloured = draw(*context_, *renderers[k], list_of(posed, camera, colours.data()));
             const Comparison c = compare(plain, coloured, forwards, backwards);
-            EXPECT_EQ(c.wrong + c.holes, 0u)
-                << "strategy " << k << ", camera " << i << ": of " << c.covered << " pixels";
+            EXPECT_EQ(c.wrong + c.holes, 0u) << "strategy " << k << ", camera " << i << ", set " << posed.texture_set
+                                             << ": of " << c.covered << " pixels";
         }
     }
     for (const auto &renderer : renderers) renderer->destroy();

@@ -3,7 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/gl/support/pictures.h"
+#include "tests/gl/support/law.h"
+#include "tests/gl/support/source_zones.h"
 
 namespace gltest
 {
@@ -11,16 +12,17 @@ namespace gltest
 class LevelsTest : public testing::Test
 {
 protected:
-    void SetUp() override;
-
-    // Makes the model's levels and tests the law on each, from this many cameras per level, by all three strategies.
-    // Returns the number of cameras.
-    uint32_t hold(model::Model character, uint32_t texture_px, uint32_t cameras_a_level);
+    // Makes the model's levels and tests the law on each, from this many cameras per level, by all three strategies,
+    // in all texture sets by turns. What a level has to show is drawn from the images that the model with levels has:
+    // a far level's own image is made of the model's, and lod_test holds its zones. Returns the number of cameras, 0
+    // where the context is absent.
+    uint32_t hold(const Target &target, model::Model character, uint32_t texture_px, uint32_t cameras_a_level);
 
     double most_ties_share_ = 1e-4;  // largest fraction of covered pixels that may tie in depth
 
 private:
-    void hold_level(const PosedModel &posed, uint32_t level, uint32_t cameras);
+    void make_context(const Target &target);
+    void hold_level(PosedModel &posed, SourceImages &images, uint32_t level, uint32_t cameras);
 
     std::unique_ptr<contexts::Offscreen> context_;
     uint64_t covered_ = 0, ties_ = 0;
