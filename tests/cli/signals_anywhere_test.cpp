@@ -1,5 +1,6 @@
 // Signals to commands that run for long: each ends by the signal with no more than a tenth of a second of work on each
 // processor, wherever it is, and what it leaves is whole.
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -7,6 +8,7 @@
 #include <sstream>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +27,8 @@ const std::string samples = std::string(CLAQUE_SOURCE_DIR) + "/samples/";
 // What each of these writes at its end, so that nothing of it may be there before; or pictures one by one.
 struct Long {
     Words words;
-    double cap_s = 20;  // of the clock, before a signal is sent to a command that waits for others
+    double cap_s = 20;       // of the clock, before a signal is sent to a command that waits for others
+    const char *draft = "";  // how a file begins that has to be there before
 };
 
 class SignalsAnywhere : public Drawing
@@ -44,11 +47,13 @@ protected:
     void write_inputs() const
     {
         std::ofstream(in("steps.toml")) << "steps = ['wait 3600']\n";
-        std::ofstream table(in("crowd.csv"));
-        table << "id,frame,x,y\n";
-        for (int frame = 0; frame < 600; ++frame)
-            for (int person = 0; person < 400; ++person)
-                table << person << "," << frame << "," << 0.1 * frame << "," << 0.7 * person << "\n";
+        for (const int people : {400, 10}) {
+            std::ofstream table(in(people > 10 ? "crowd.csv" : "few.csv"));
+            table << "id,frame,x,y\n";
+            for (int frame = 0; frame < 600; ++frame)
+                for (int person = 0; person < people; ++person)
+                    table << person << "," << frame << "," << 0.1 * frame << "," << 0.7 * person << "\n";
+        }
         std::ofstream grid(in("grid.obj"));
         for (int i = 0; i < 90000; ++i)
             grid << "v " << i % 300 << " " << i / 300 << " " << i % 7 << "\nvn 0 0 1\nvt 0." << i << " 0\n";
@@ -69,7 +74,7 @@ protected:
     std::vector<Long> commands() const
     {
         const Words film = {"--size", "320x240", "--frames", "0:9999", "--out", out("f-%04d.png")};
-        const Words table = {in("crowd.csv"), "--columns", "id,frame,x,y", "--rate", "10", "--unit", "m"};
+        const Words table = {"--columns", "id,frame,x,y", "--rate", "10", "--unit", "m"};
         const std::string stage = samples + "scenarios/evacuation.toml";
         const auto with = [](Words first, const Words &more) {
             first.insert(first.end(), more.begin(), more.end());
@@ -82,10 +87,12 @@ protected:
             {{"sheet", "--size", "1600x1200", "--out", out("sheet.png")}},
             {{"labels", "--scene", "plaza", "--frames", "0:9999", "--out", out("labels")}},
             {{"labels", "--scene", "plaza", "--frames", "0:9999", "--processes", "2", "--out", out("labels")}, 1},
-            {with(with({"play"}, table), with({"--record", out("run.clt")}, film))},
-            {with(with({"tracks"}, table), {"--plot", out("plan.svg")})},
+            {with(with({"play", in("few.csv")}, table), with({"--record", out("run.clt")}, film)), 20, "run.clt.part"},
+            {with(with({"tracks", in("crowd.csv")}, table), {"--plot", out("plan.svg")})},
             {{"stage", stage, "--fps", "100", "--record", out("run.clt"), "--size", "320x240", "--frames", "0:7000",
-              "--out", out("f-%04d.png")}},
+              "--out", out("f-%04d.png")},
+             20,
+             "run.clt.part"},
             {{"view", "--size", "320x240", "--script", in("steps.toml"), "--shots", path("out")}},
             {{"bench", "ten_thousand", "--count", "2000", "--frames", "100000", "--save", out("bench.json")}},
             {{"bench", "readers", "--count", "10000", "--save", out("bench.json")}},
@@ -95,6 +102,14 @@ protected:
             {{"parity", "compare", in("capture"), in("capture"), "--html", out("compare.html")}},
             {{"frames", "check", path("in")}},
             {{"convert", in("grid.obj"), "--out", out("grid.glb")}, 0.2}};
+    }
+
+    bool is_begun(const std::string &draft) const
+    {
+        const fs::directory_iterator files(path("out"));
+        return draft.empty() || std::any_of(begin(files), end(files), [&](const fs::directory_entry &file) {
+                   return file.path().filename().string().rfind(draft, 0) == 0;
+               });
     }
 
     // Pictures and JSON one by one are whole; nothing else may be there, and nothing beside its place.
@@ -122,6 +137,8 @@ protected:
         SCOPED_TRACE(all);
         Running running(one.words);
         running.work_until(cpu_s, one.cap_s);
+        for (int waits = 0; waits < 6000 && !is_begun(one.draft); ++waits) usleep(5000);
+        ASSERT_TRUE(is_begun(one.draft));
         ASSERT_FALSE(running.has_ended()) << "it ended by itself, as " << running.wait_for_end();
         const Ended end = running.end_by(number);
         EXPECT_TRUE(WIFSIGNALED(end.state) && WTERMSIG(end.state) == number) << end.state;
