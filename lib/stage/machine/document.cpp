@@ -14,8 +14,6 @@ namespace
 
 toml::parse_result parse(std::string_view text, const std::string &name)
 {
-    if (text.size() > max_text_bytes)
-        fail(CLQ_LIMIT, "%s has %zu bytes: %zu are the most", name.c_str(), text.size(), max_text_bytes);
     if (const uint32_t line = line_of_deep_key(text))
         fail(CLQ_LIMIT, "%s, line %u: a key has more than %u parts", name.c_str(), line, max_key_parts);
     return toml::parse(text);

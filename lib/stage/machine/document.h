@@ -17,7 +17,7 @@ constexpr size_t max_text_bytes = size_t(4) << 20;
 class Document
 {
 public:
-    // Throws Error: LIMIT, or FORMAT where it is not TOML.
+    // A text of at most max_text_bytes. Throws Error: LIMIT, or FORMAT where it is not TOML.
     Document(std::string_view text, const std::string &name);
 
     const toml::table &root() const { return parsed_.table(); }
