@@ -104,6 +104,12 @@ void Recorder::flush()
     blocks_.clear();
 }
 
+void Recorder::flush_if_full()
+{
+    constexpr size_t piece_bytes = 65536;
+    if (blocks_.contents_size() >= piece_bytes) flush();
+}
+
 void Recorder::give(const uint8_t *bytes, size_t size)
 {
     if (!host_takes(def_.write, def_.user, bytes, size))

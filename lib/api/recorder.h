@@ -30,7 +30,7 @@ public:
     {
         guarded([&] {
             make(*this);
-            if (blocks_.contents_size() >= piece_bytes) flush();
+            flush_if_full();
         });
     }
     void step(double time_s) noexcept;
@@ -57,8 +57,6 @@ public:
     void restored() { state(record::Kind::state), ++info_.calls; }
 
 private:
-    static constexpr size_t piece_bytes = 65536;
-
     template <class Body>
     void guarded(const Body &body) noexcept
     {
@@ -85,6 +83,7 @@ private:
     void note_state(model::Array<uint32_t> &tracks);
     void stop(clq_status status, const char *text) noexcept;
     void flush();
+    void flush_if_full();
     void give(const uint8_t *bytes, size_t size);
     uint64_t written() const { return info_.bytes + blocks_.contents_size(); }
     // Of the block that is being made, and of its next entry. The header of the file is given with the first block.
