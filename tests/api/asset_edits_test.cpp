@@ -259,7 +259,7 @@ TEST_F(AssetEdits, LevelsThatCannotBeMadeAreRefused)
 
 TEST_F(AssetEdits, ZoneAreasAreAsManyAsTheHostHasRoomFor)
 {
-    std::vector<float> areas(before_.zone_count + 1, -1), two(2, -1);
+    std::vector<float> areas(before_.zone_count + 1, -1), first(areas);
     for (const float distance : {-1.0f, NAN, INFINITY})
         told(clq_asset_get_zone_areas(asset_, distance, areas.data(), 1, nullptr), "distance_m is below 0");
     told(clq_asset_get_zone_areas(nullptr, 0, areas.data(), 1, nullptr), "asset is NULL");
@@ -272,9 +272,9 @@ TEST_F(AssetEdits, ZoneAreasAreAsManyAsTheHostHasRoomFor)
     double sum = 0;
     for (const float area : areas) sum += double(area);
     EXPECT_NEAR(sum, 1, 1e-5);
-    ASSERT_EQ(clq_asset_get_zone_areas(asset_, 0, two.data(), 1, &count), CLQ_OK);
-    EXPECT_EQ(two[0], areas[0]);
-    EXPECT_EQ(two[1], -1) << "beyond the host's capacity";
+    ASSERT_EQ(clq_asset_get_zone_areas(asset_, 0, first.data(), 1, &count), CLQ_OK);
+    EXPECT_EQ(first[0], areas[0]);
+    EXPECT_EQ(first[1], -1) << "beyond the host's capacity";
 }
 
 }  // namespace

@@ -230,4 +230,28 @@ TEST_F(DefinitionLimits, OfPlaysAtRandomAreNamed)
     told(clq_template_get_root_motion(arm_.tmpl, 4, 0, 1, motion), "clip 4 does not exist: 'strip' has 4");
 }
 
+TEST_F(DefinitionLimits, OfCamerasAreNamed)
+{
+    const auto looks = [&](const std::string &sentence, const std::function<void(clq_look_at_def &)> &breaks) {
+        clq_look_at_def def = clq_look_at_def_init();
+        def.target[2] = -1;
+        breaks(def);
+        clq_camera camera = {};
+        told(clq_camera_look_at(&def, &camera), sentence);
+        EXPECT_EQ(camera.projection[11], 0);
+    };
+    using Def = clq_look_at_def;
+    const std::string perspective = "0 to pi, above 0 and 0 < z_near < z_far are wanted";
+    for (const float number : {0.0f, 3.15f, NAN}) looks(perspective, [number](Def &def) { def.fov_y_rad = number; });
+    for (const float number : {0.0f, NAN, INFINITY}) looks(perspective, [number](Def &def) { def.aspect = number; });
+    for (const float number : {0.0f, 1000.0f, NAN}) looks(perspective, [number](Def &def) { def.z_near = number; });
+    for (const float number : {0.1f, NAN, INFINITY}) looks(perspective, [number](Def &def) { def.z_far = number; });
+    looks("the same point, or not finite", [](Def &def) { def.target[2] = 0; });
+    looks("the same point, or not finite", [](Def &def) { def.eye[1] = NAN; });
+    looks("the same point, or not finite", [](Def &def) { def.target[0] = INFINITY; });
+    looks("up lies along the line of sight", [](Def &def) { def.up[1] = 0, def.up[2] = 3; });
+    looks("narrower than a projection's numbers reach", [](Def &def) { def.fov_y_rad = 1e-39f; });
+    looks("narrower than a projection's numbers reach", [](Def &def) { def.aspect = 1e-39f; });
+}
+
 }  // namespace
