@@ -42,5 +42,34 @@ TEST(DataUri, HoldsBuffersAndTheFileIsTheSameAsItsGlb)
     EXPECT_EQ(from_text.parts[0].positions[1], glm::vec3(1, 0, 0));
 }
 
+TEST(RelativeUri, IsAPathBesideTheFileOrRefusedByItsRule)
+{
+    EXPECT_EQ(asset::decode_relative_path("a%2Fb/c%C3%9f.bin"), "a/b/c\xc3\x9f.bin");
+    EXPECT_EQ(asset::decode_relative_path("a/b:c"), "a/b:c") << "a colon behind a slash is no scheme";
+    const struct {
+        const char *uri;
+        int status;
+        const char *sentence;
+    } all[] = {{":a", CLQ_FORMAT, "URI ':a' has an empty scheme"},
+               {"http://a/b", CLQ_UNSUPPORTED, "only data URIs and files beside this one are read"},
+               {"c:b", CLQ_UNSUPPORTED, "only data URIs and files beside this one are read"},
+               {"", CLQ_FORMAT, "a URI is empty"},
+               {"/a", CLQ_FORMAT, "is an absolute path"},
+               {"%2fa", CLQ_FORMAT, "is an absolute path"},
+               {"a\\b", CLQ_FORMAT, "has a backslash or control character"},
+               {"a%5cb", CLQ_FORMAT, "has a backslash or control character"},
+               {"a%00b", CLQ_FORMAT, "has a backslash or control character"},
+               {"a%7Fb", CLQ_FORMAT, "has a backslash or control character"},
+               {"a/../b", CLQ_FORMAT, "leaves the folder"},
+               {"a%2", CLQ_FORMAT, "has a broken percent code"},
+               {"a%g0", CLQ_FORMAT, "has a broken percent code"},
+               {"a%0g", CLQ_FORMAT, "has a broken percent code"}};
+    for (const auto &one : all) {
+        const Outcome found = outcome_of([&] { asset::decode_relative_path(one.uri); });
+        EXPECT_EQ(found.status, one.status) << one.uri;
+        EXPECT_NE(found.text.find(one.sentence), std::string::npos) << found.text;
+    }
+}
+
 }  // namespace
 }  // namespace claque::testing
