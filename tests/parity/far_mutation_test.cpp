@@ -69,12 +69,12 @@ protected:
 TEST_F(FarMutation, AMovedIndividualIsCaughtByPicturesNearAndFar)
 {
     for (const clq_actor actor : both()) {
-        move(actor, 0.1);
+        move(actor, 0.3);
         const Capture after = capture();
         EXPECT_EQ(broken(vertices_of(before_), vertices_of(after)), "") << "vertices lie in the individual's frame";
         expect_broken(broken(pictures_of(before_), pictures_of(after)), "actor_ids.outside");
         expect_broken(broken(before_, colours_of(after)), "colour.worst_zone");
-        move(actor, -0.1);
+        move(actor, -0.3);
     }
 }
 
@@ -101,7 +101,7 @@ TEST_F(FarMutation, OtherColoursAreCaughtByPicturesNearAndFar)
     }
 }
 
-// A pixel there is 6 cm wide, and 0.01 of a channel are 2.55 of its 255 steps before light takes some of them.
+// A pixel there is 10 cm wide, and 0.01 of a channel are 2.55 of its 255 steps before light takes some of them.
 TEST_F(FarMutation, AMillimetreAndAHundredthOfAColourFarAwayAreBelowTheTolerance)
 {
     const clq_actor actor = farthest();

@@ -7,6 +7,8 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
+#include "lib/pose/pose.h"
+
 namespace gltest
 {
 namespace
@@ -132,6 +134,32 @@ bool has_area(const model::Part &part, const std::array<uint32_t, 3> &t)
     return glm::length(glm::cross(b - a, c - a)) > 0;
 }
 
+// [palette] whether an entry mirrors at rest.
+std::vector<bool> mirrors_of(const model::Rig &rig)
+{
+    claque::pose::Workspace workspace(rig);
+    std::vector<bool> mirrors;
+    for (const claque::math::Affine &m : workspace.pose(model::none, 0)) {
+        const glm::dvec3 x(m.c[0], m.c[1], m.c[2]), y(m.c[3], m.c[4], m.c[5]), z(m.c[6], m.c[7], m.c[8]);
+        mirrors.push_back(glm::dot(glm::cross(x, y), z) < 0);
+    }
+    return mirrors;
+}
+
+// A front face is the one that looks like it at rest, where what most of the triangle follows may mirror it.
+std::array<uint32_t, 3> turned(const model::Part &part, const std::array<uint32_t, 3> &t,
+                               const std::vector<bool> &mirrors)
+{
+    std::map<uint32_t, float> weights;
+    for (const uint32_t v : t)
+        for (size_t k = size_t(v) * part.influence_count; k < size_t(v + 1) * part.influence_count; ++k)
+            weights[part.joints[k]] += part.weights[k];
+    const auto most = std::max_element(weights.begin(), weights.end(),
+                                       [](const auto &a, const auto &b) { return a.second < b.second; });
+    const bool turns = most != weights.end() && mirrors[most->first];
+    return {t[0], t[turns ? 2 : 1], t[turns ? 1 : 2]};
+}
+
 bool is_at(const model::Part &part, float distance_m)
 {
     return model::is_drawn(part) && part.lod_min_m <= distance_m && distance_m < part.lod_max_m;
@@ -145,6 +173,7 @@ SourceLook::SourceLook(contexts::Offscreen &context, SourceImages &images, const
 {
     const model::Model &source = images.source();
     const KnownVertices known = vertices_of(tmpl.levels[0]);
+    const std::vector<bool> mirrors = mirrors_of(source.rig);
     for (const model::Part &part : source.parts) {
         if (!is_at(part, tmpl.levels[0].switch_distance_m)) continue;
         const model::Material &material = source.materials[part.material];
@@ -160,7 +189,8 @@ SourceLook::SourceLook(contexts::Offscreen &context, SourceImages &images, const
         for (const std::array<uint32_t, 3> &t : model::triangles_of(part)) {
             const bool missing =
                 std::any_of(t.begin(), t.end(), [&](uint32_t v) { return piece.vertices[v] == model::none; });
-            if (!missing) piece.corners.insert(piece.corners.end(), t.begin(), t.end());
+            const std::array<uint32_t, 3> corners = turned(part, t, mirrors);
+            if (!missing) piece.corners.insert(piece.corners.end(), corners.begin(), corners.end());
             else EXPECT_FALSE(has_area(part, t)) << "a triangle of part " << part.name << " is not in the template";
         }
         for (uint32_t &vertex : piece.vertices) vertex = vertex == model::none ? 0 : vertex;
