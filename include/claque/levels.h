@@ -47,10 +47,10 @@ static inline clq_levels_def clq_levels_def_init(void)
 
 /* Makes levels of detail for an asset. Parts that are hidden or have distances of their own stay as they are. A level
  * is left out if no distance would select it, or if it has less than a tenth more triangles than the next one. A level
- * of fewer than 20 triangles is also left out if it shows zones too badly: if the share of a zone changes by more than
- * 2 points of the surface and more than half of a pixel where the level begins, if it nearly loses a zone that covers
- * that much, or if single views show on average 28 points of wrong zones. Zones that cover less than a hundredth of the
- * surface may vanish from coarse levels. The levels do not depend on the context's tasks, which share the work.
+ * of fewer than 20 triangles is also left out in three cases. The share of a zone changes by more than 2 points of the
+ * surface and by more than half of a pixel where the level begins. A larger zone nearly vanishes. Pictures from nine
+ * sides show on average more than 28 % of wrong zones. Zones that cover less than a hundredth of the surface may vanish
+ * from coarse levels. The levels do not depend on the context's tasks, which share the work.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT

@@ -5,12 +5,12 @@
 #include <vector>
 
 #include "lib/lod/chain.h"
+#include "lib/lod/surface/area_fractions.h"
 
 namespace claque::lod
 {
 
-constexpr double max_zone_area_error = 0.02;  // largest allowed error of any zone's area fraction
-constexpr double max_zone_view_error = 0.28;  // and of what single views show, in levels of few triangles
+constexpr double max_zone_view_error = 0.28;  // of levels of fewer than 20 triangles (zone_views.h)
 
 struct Candidate {
     LevelReport level;
@@ -25,7 +25,7 @@ struct Candidate {
 size_t triangle_count_of(const Candidate &made);
 
 // Removes useless candidates: levels whose distance does not exceed the one before, levels that hardly save triangles,
-// and levels below 20 triangles that cannot keep the zones' area fractions to their tolerance, or lose a zone.
+// and levels below 20 triangles whose zones have other area fractions, are lost, or look wrong in single views.
 std::vector<Candidate> prune(std::vector<Candidate> all);
 
 // Of a decimated level and a proxy with similar triangle counts, keeps the one with the smaller error. `made` keeps the

@@ -226,8 +226,8 @@ std::vector<size_t> default_targets(size_t triangles)
 {
     std::vector<size_t> targets;
     for (size_t n = triangles / 2; n > 1300; n /= 2) targets.push_back(n);
-    for (const size_t n : {1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290,
-                           250,  205, 165, 120, 84,  60,  42,  30,  20,  14,  10})
+    for (const size_t n :
+         {1040, 934, 839, 753, 676, 607, 545, 490, 430, 375, 330, 290, 250, 205, 165, 120, 84, 60, 42, 30, 20, 14, 10})
         if (n * 100 <= triangles * 95) targets.push_back(n);
     return targets;
 }

@@ -51,9 +51,10 @@ double switch_distance(double error_m, double pixels);
 
 // Replaces the parts of `model` by a chain of levels, and reports on each level, finest first. Parts that are hidden,
 // have no triangles or have distances of their own stay as they are. A level is left out if it has less than a tenth
-// more triangles than the next one, if it begins where the next begins, or if it has fewer than 20 triangles and shows
-// zones too badly: their area fractions by more than 2 points or half a pixel, those in single views by more than 28
-// points (zone_views.h), or nearly without a zone that is larger than that (area_fractions.h).
+// more triangles than the next one, or if it begins where the next begins. A level of fewer than 20 triangles is also
+// left out in three cases. The area fraction of a zone is off by more than 2 points and by more than half of a pixel
+// where the level begins. A zone larger than both nearly vanishes (area_fractions.h). Single views show on average more
+// than 28 % of wrong zones (proxies/zone_views.h).
 // Throws base::Error (CLQ_ARGUMENT) if nothing can be decimated or targets do not descend; the model is then unchanged.
 // Deterministic.
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options);

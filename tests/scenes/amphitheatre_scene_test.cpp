@@ -22,7 +22,7 @@ SceneOptions options(const char *viewpoint, uint32_t count = 1500)
 }
 
 constexpr double times_s[] = {12.5, 3.0, 81.25};
-constexpr uint64_t golden[] = {8023470352657186591u, 3152373946816595712u, 473896800371255796u};
+constexpr uint64_t golden[] = {14156851011299596893u, 3123170786564310402u, 17813960727360338048u};
 
 TEST(AmphitheatreScene, HasTheAcceptedDrawListsOnAnyThreadsAndInAnyOrder)
 {

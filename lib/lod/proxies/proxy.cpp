@@ -94,20 +94,20 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
     proxies.set_images.resize(source.model.texture_sets.size());
     for (size_t i = 0; i < meshes.size(); ++i) {
         const bool is_clean = meshes[i].indices.size() <= 3 * max_clean_triangles;
-        if (is_clean) swatch_tolerances.push_back(tolerances.empty() ? 0.02 : tolerances[i]);
+        if (is_clean) swatch_tolerances.push_back(tolerances.empty() ? max_zone_area_error : tolerances[i]);
         (is_clean ? swatch_parts : proxies.parts).push_back(std::move(meshes[i]));
     }
-    std::vector<std::vector<model::Image>> charts(proxies.parts.size()), swatches(1);
-    const uint32_t count = static_cast<uint32_t>(charts.size());
-    // The swatches take longest, so they begin first.
-    jobs.try_each(count + 1, [&](uint32_t i) {
-        if (i > 0) charts[i - 1] = bake_charts(source, proxies.parts[i - 1]);
-        else if (!swatch_parts.empty()) swatches[0] = bake_swatches(source, swatch_parts, swatch_tolerances);
+    std::vector<std::vector<model::Image>> charts(proxies.parts.size());
+    std::vector<SwatchZones> chosen(swatch_parts.size());
+    const uint32_t count = static_cast<uint32_t>(charts.size()), few = static_cast<uint32_t>(chosen.size());
+    jobs.try_each(few + count, [&](uint32_t i) {
+        if (i < few) chosen[i] = swatch_zones_of(source, swatch_parts[i], swatch_tolerances[i]);
+        else charts[i - few] = bake_charts(source, proxies.parts[i - few]);
     });
     for (uint32_t i = 0; i < count; ++i)
         proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);
     if (swatch_parts.empty()) return proxies;
-    const uint32_t material = add_material(source, std::move(swatches[0]), proxies);
+    const uint32_t material = add_material(source, bake_swatches(source, chosen, swatch_parts), proxies);
     for (model::Part &part : swatch_parts) {
         part.material = material;
         proxies.parts.push_back(std::move(part));

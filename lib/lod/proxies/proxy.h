@@ -64,8 +64,8 @@ struct ProxyLevels {
 };
 
 // Makes the images of `meshes`, which proxy_meshes() returned, and sets their texture coordinates. `tolerances`:
-// [meshes] of zones' area fractions, for those with one zone a triangle; empty: 0.02 each. Throws base::Error
-// (CLQ_LIMIT) if there are more zones than keys. The result does not depend on `jobs`. Deterministic.
+// [meshes] of zones' area fractions, for those with one zone a triangle; empty: max_zone_area_error each. Throws
+// base::Error (CLQ_LIMIT) if there are more zones than keys. The result does not depend on `jobs`. Deterministic.
 ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes,
                          const std::vector<double> &tolerances = {}, const base::Jobs &jobs = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/lod/proxies/proxy.h"
+#include "lib/lod/proxies/swatch_zones.h"
 
 namespace claque::lod
 {
@@ -12,10 +13,10 @@ void set_texel(const ProxySource &source, size_t at, uint32_t zone, glm::dvec3 r
 // Splits the vertices of a part, one for each different texture coordinate, in [0, 1], of their corners.
 void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 
-// Gives each triangle of each part one zone in one brightness, from the source surface that is nearest to it, and sets
-// texture coordinates. `tolerances`: [parts] of zones' area fractions. Returns one image per texture set for all parts.
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
-                                        const std::vector<double> &tolerances);
+// Gives each triangle of each part its zone in one brightness, from the source surface that is nearest to it, and sets
+// texture coordinates. `chosen`: [parts]. Returns one image per texture set for all parts.
+std::vector<model::Image> bake_swatches(const ProxySource &source, const std::vector<SwatchZones> &chosen,
+                                        std::vector<model::Part> &parts);
 
 // Bakes one part whose texels show the nearest points of the source.
 std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part);

@@ -6,7 +6,6 @@
 #include <tuple>
 
 #include "lib/lod/proxies/proxy_image.h"
-#include "lib/lod/proxies/proxy_zones.h"
 
 namespace claque::lod
 {
@@ -23,8 +22,6 @@ constexpr double tint_step = 0.25;
 constexpr uint32_t swatch_px = 4;         // equal texels across a swatch, so that rounding never samples a neighbour
 constexpr uint32_t swatches_across = 16;  // across the image
 
-constexpr double min_weight = 0.5, max_weight = 3;  // of a wrong zone where the source has few or many triangles
-
 struct Swatch {
     uint32_t zone = 0, shade = 0, shades = 1;  // index and count of shades
     std::array<int, 3> tint{};                 // in steps
@@ -33,98 +30,6 @@ struct Swatch {
         return std::tie(zone, shades, shade, tint) < std::tie(o.zone, o.shades, o.shade, o.tint);
     }
 };
-
-struct ColourSum {
-    glm::dvec3 colour = glm::dvec3(0);
-    double area = 0;
-    ColourSum &operator+=(const ColourSum &o)
-    {
-        colour += o.colour, area += o.area;
-        return *this;
-    }
-    glm::dvec3 mean() const { return area > 0 ? colour / area : glm::dvec3(1); }
-};
-using ColourSums = std::vector<ColourSum>;  // [texture sets] in which the point shows the same zone as in the first set
-
-void add(const ColourSums &from, ColourSums &to)
-{
-    to.resize(from.size());
-    for (size_t i = 0; i < from.size(); ++i) to[i] += from[i];
-}
-
-// The colours of the source surface nearest to one triangle, by zone.
-using ZoneColours = std::map<uint32_t, ColourSums>;
-
-void add_colour(const ProxySource &source, const SurfacePoint &point, double area, ZoneColours &zone_colours)
-{
-    const uint32_t zone = zone_at(source.model, source.fine, point);
-    ColourSums &sums = zone_colours.try_emplace(zone, source.set_count()).first->second;
-    for (size_t i = 0; i < sums.size(); ++i)
-        if (i == 0 || zone_at(source.model, source.fine, point, source.set(i)) == zone)
-            sums[i] += {area * texel_at(source.model, source.fine, point, source.set(i)), area};
-}
-
-std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedParts &part,
-                                         const std::vector<PointPair> &out)
-{
-    std::vector<ZoneColours> zone_colours(part.triangles().size());
-    const std::vector<PointPair> back = nearest_pairs(part, source.fine);
-    for (const PointPair &pair : out) {
-        const uint32_t t = pair.here.triangle;
-        if (pair.corner == PointPair::inside && source.visibility[t] > 0)
-            add_colour(source, pair.here, area_of(source.fine, t) * source.visibility[t],
-                       zone_colours[pair.there.triangle]);
-    }
-    std::vector<SurfacePoint> centres(zone_colours.size());  // the first sample of a triangle is its centre
-    for (auto pair = back.rbegin(); pair != back.rend(); ++pair)
-        if (pair->corner == PointPair::inside) centres[pair->here.triangle] = pair->there;
-    for (size_t t = 0; t < zone_colours.size(); ++t)
-        if (zone_colours[t].empty()) add_colour(source, centres[t], 1, zone_colours[t]);
-    return zone_colours;
-}
-
-// Returns how much a wrong zone on each triangle of the level matters. Where its maker gave the source more triangles
-// for the same area, as on a face, people look.
-std::vector<double> weights_of(const ProxySource &source, const PosedParts &part, const std::vector<PointPair> &out)
-{
-    std::vector<double> counts(part.triangles().size(), 0), areas(counts);
-    double count = 0, area = 0;
-    for (const PointPair &pair : out) {
-        const uint32_t t = pair.here.triangle;
-        if (pair.corner != PointPair::inside || !(source.visibility[t] > 0)) continue;
-        const double here = area_of(source.fine, t) * source.visibility[t];
-        counts[pair.there.triangle] += source.visibility[t], areas[pair.there.triangle] += here;
-        count += source.visibility[t], area += here;
-    }
-    std::vector<double> weights;
-    for (size_t t = 0; t < counts.size(); ++t) {
-        const double density = areas[t] > 0 ? counts[t] / areas[t] * area / count : 1;
-        weights.push_back(std::clamp(std::sqrt(density), min_weight, max_weight));
-    }
-    return weights;
-}
-
-// Returns the area of each zone that each triangle of the level stands for. Small triangles of the source count more
-// than their area, as above: a triangle from the head to the chest then shows the face.
-std::vector<ZoneAreas> zone_areas_of(const ProxySource &source, const std::vector<ZoneColours> &zone_colours,
-                                     const std::vector<PointPair> &out)
-{
-    std::vector<ZoneAreas> areas(zone_colours.size());
-    double all = 0;
-    const size_t count = source.fine.triangles().size();
-    for (uint32_t t = 0; t < count; ++t) all += area_of(source.fine, t);
-    for (const PointPair &pair : out) {
-        const uint32_t t = pair.here.triangle;
-        const double area = area_of(source.fine, t);
-        if (pair.corner != PointPair::inside || !(source.visibility[t] > 0) || !(area > 0)) continue;
-        const double weight = std::clamp(std::sqrt(all / double(count) / area), min_weight, max_weight);
-        areas[pair.there.triangle][zone_at(source.model, source.fine, pair.here)] +=
-            weight * area * source.visibility[t];
-    }
-    for (size_t t = 0; t < areas.size(); ++t)
-        for (const auto &[zone, sums] : zone_colours[t]) areas[t].try_emplace(zone, sums[0].area);
-    return areas;
-}
 
 // The mean colour of each zone, for triangles that show a zone without samples of it.
 ZoneColours usual_colours(const std::vector<ZoneColours> &all)
@@ -172,27 +77,17 @@ model::Image image_of(const ProxySource &source, const std::map<Swatch, ColourSu
 
 }  // namespace
 
-std::vector<model::Image> bake_swatches(const ProxySource &source, std::vector<model::Part> &parts,
-                                        const std::vector<double> &tolerances)
+std::vector<model::Image> bake_swatches(const ProxySource &source, const std::vector<SwatchZones> &chosen,
+                                        std::vector<model::Part> &parts)
 {
     std::map<Swatch, ColourSums> colours;
     std::vector<std::vector<Swatch>> swatches;
-    ZoneGoals goals{source.area_fractions[0]};
-    for (size_t v = 0; v < source.views.count(); ++v) goals.views.source.push_back(source.views.fractions(v));
-    for (const model::Part &part : parts) {
-        goals.tolerance = tolerances[swatches.size()];
-        goals.views.triangles = source.views.triangle_fractions(part);
-        const PosedParts coarse = source.at_rest(part);
-        const std::vector<PointPair> out = nearest_pairs(source.fine, coarse);
-        const std::vector<ZoneColours> zone_colours = collect_colours(source, coarse, out);
-        const std::vector<uint32_t> zones =
-            assign_zones(source.model, source.fine, coarse, zone_areas_of(source, zone_colours, out), goals,
-                         weights_of(source, coarse, out));
-        const uint32_t shades = zone_colours.size() <= one_shade_triangles ? 1 : max_shades;
-        const ZoneColours usual = usual_colours(zone_colours);
+    for (const SwatchZones &one : chosen) {
+        const uint32_t shades = one.zones.size() <= one_shade_triangles ? 1 : max_shades;
+        const ZoneColours usual = usual_colours(one.colours);
         swatches.emplace_back();
-        for (size_t t = 0; t < zone_colours.size(); ++t)
-            swatches.back().push_back(swatch_of(source, zone_colours[t], zones[t], usual, shades, colours));
+        for (size_t t = 0; t < one.zones.size(); ++t)
+            swatches.back().push_back(swatch_of(source, one.colours[t], one.zones[t], usual, shades, colours));
     }
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) images.push_back(image_of(source, colours, set));

@@ -19,9 +19,9 @@ namespace
 constexpr double kept_tolerance = 0.975;  // of the promised tolerance of area fractions
 constexpr double excess_penalty = 100;    // weight of an excess beyond the tolerance, against the zone cost
 
-// A zone of at least so much of the surface shall not vanish: below a third of its fraction, what is missing of that
-// costs up to as much as so much of wrong surface.
-constexpr double least_kept = 0.01, lost_penalty = 0.15;
+// A zone of at least `least_zone` of the surface shall not vanish: below a third of its fraction, what is missing of
+// that costs up to as much as so much of wrong surface.
+constexpr double lost_penalty = 0.15;
 
 // Weight of the mean squared error of views (see ViewCost).
 constexpr double view_weight = 4;
@@ -29,7 +29,7 @@ constexpr double view_weight = 4;
 // The cost of an edge between two zones, in area fractions: its vertices are split.
 constexpr double seam_penalty = 0.004;
 constexpr size_t max_rounds = 2000;
-constexpr size_t few = 64;            // levels of at most so many triangles get a longer search
+constexpr size_t few = 64;            // levels of at most so many triangles get a longer search after it
 constexpr size_t very_few = 14;       // and of at most so many the longest
 constexpr size_t beam_width = 20000;  // partial assignments kept per step, times the number of triangles
 
@@ -187,7 +187,7 @@ private:
     double excess_cost(size_t zone, double share) const
     {
         const double wanted = source_fractions_[zone],
-                     lost = wanted >= least_kept ? std::clamp(1 - 3 * share / wanted, 0.0, 1.0) : 0;
+                     lost = wanted >= least_zone ? std::clamp(1 - 3 * share / wanted, 0.0, 1.0) : 0;
         return excess_penalty * std::max(std::abs(share - wanted) - zone_tolerance_, 0.0) + lost_penalty * lost;
     }
     void set(Change c)
@@ -263,12 +263,10 @@ std::vector<uint32_t> assign_zones(const model::Model &model, const PosedParts &
     const ZoneCost zone_cost(model, source, level, zone_areas, areas, weights);
     ZoneAssignment assignment(level, zone_cost, areas, goals);
     assignment.improve();
-    if (areas.size() <= few) {
-        ZoneAssignment other(level, zone_cost, areas, goals);
-        other.start_from(other.beam_search());
-        other.improve();
-        if (other.cost() < assignment.cost()) assignment.start_from(other.zones());
-    }
+    ZoneAssignment other(level, zone_cost, areas, goals);
+    other.start_from(other.beam_search());
+    other.improve();
+    if (other.cost() < assignment.cost()) assignment.start_from(other.zones());
     std::vector<uint32_t> zones;
     for (const size_t zone : assignment.zones())
         zones.push_back(zone == model.zones.size() ? model::none : static_cast<uint32_t>(zone));

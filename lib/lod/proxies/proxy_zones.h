@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/lod/proxies/view_cost.h"
+#include "lib/lod/surface/area_fractions.h"
 #include "lib/lod/surface/surface_samples.h"
 
 namespace claque::lod
@@ -16,7 +17,7 @@ using ZoneAreas = std::map<uint32_t, double>;
 // What a level's zones shall keep of the source's.
 struct ZoneGoals {
     const std::vector<double> &area_fractions;  // of the whole surface (area_fractions.h)
-    double tolerance = 0.02;                    // of each of them
+    double tolerance = max_zone_area_error;     // of each of them
     ZonesInViews views = {};                    // what single views show of the zones; may be empty
 };
 

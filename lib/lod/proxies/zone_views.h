@@ -21,8 +21,8 @@ public:
     size_t count() const { return fractions_.size(); }
     // [zones of the model + 1] of what this view shows: its fraction of each zone; the last is for no zone.
     const std::vector<double> &fractions(size_t view) const { return fractions_[view]; }
-    // The mean over all views of the fraction of a view that shows another zone than it would if zones had the source's
-    // fractions. `level`: with its zones.
+    // Returns how wrong a level's zones are in [0, 1]: half of the differences of its zones' fractions from the
+    // source's, as a mean over all views. `level`: with its image.
     double error(const model::Part &level) const;
     // [views][triangles of `level`]: each triangle's fraction of what a view shows of the level.
     std::vector<std::vector<double>> triangle_fractions(const model::Part &level) const;

@@ -22,7 +22,9 @@ std::vector<double> zone_area_fractions(const model::Model &model, const PosedPa
 // Returns the largest difference between two results, in [0, 1].
 double zone_area_error(const std::vector<double> &a, const std::vector<double> &b);
 
-constexpr double least_zone = 0.01;  // smaller zones may vanish from a level
+constexpr double max_zone_area_error = 0.02;  // largest allowed error of any zone's area fraction
+constexpr double least_zone = 0.01;           // smaller zones may vanish from a level
+
 // Returns whether a zone of at least `least` of the source shows less than a tenth of that in the level.
 bool loses_zone(const std::vector<double> &source, const std::vector<double> &level, double least = least_zone);
 
