@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/api/expect_refused.h"
+
 namespace
 {
 
@@ -27,12 +29,6 @@ protected:
         EXPECT_EQ(built_, nullptr);
         clq_asset_destroy(asset_), clq_asset_destroy(source_);
         EXPECT_EQ(clq_context_destroy(context_), CLQ_OK) << clq_last_error();
-    }
-    void refused(clq_status status, const std::string &sentence, clq_status wanted = CLQ_ARGUMENT) const
-    {
-        EXPECT_EQ(status, wanted) << sentence;
-        EXPECT_NE(std::string(clq_last_error()).find(sentence), std::string::npos)
-            << clq_last_error() << "\nand not: " << sentence;
     }
     clq_asset_info info() const
     {
@@ -59,70 +55,70 @@ private:
 TEST_F(AssetArguments, NullPointersAreRefusedByEveryCallThatMakesSomething)
 {
     const std::string load = "clq_asset_load: context, bytes or out is NULL";
-    refused(clq_asset_load(nullptr, "a", 1, nullptr, &made_), load);
-    refused(clq_asset_load(context_, nullptr, 1, nullptr, &made_), load);
-    refused(clq_asset_load(context_, "a", 1, nullptr, nullptr), load);
+    expect_refused(clq_asset_load(nullptr, "a", 1, nullptr, &made_), load);
+    expect_refused(clq_asset_load(context_, nullptr, 1, nullptr, &made_), load);
+    expect_refused(clq_asset_load(context_, "a", 1, nullptr, nullptr), load);
     const std::string file = "clq_asset_load_file: context, path or out is NULL";
-    refused(clq_asset_load_file(nullptr, "a", nullptr, &made_), file);
-    refused(clq_asset_load_file(context_, nullptr, nullptr, &made_), file);
-    refused(clq_asset_load_file(context_, "a", nullptr, nullptr), file);
+    expect_refused(clq_asset_load_file(nullptr, "a", nullptr, &made_), file);
+    expect_refused(clq_asset_load_file(context_, nullptr, nullptr, &made_), file);
+    expect_refused(clq_asset_load_file(context_, "a", nullptr, nullptr), file);
     const std::string builtin = "clq_asset_builtin: context, name or out is NULL";
-    refused(clq_asset_builtin(nullptr, "owl", &made_), builtin);
-    refused(clq_asset_builtin(context_, nullptr, &made_), builtin);
-    refused(clq_asset_builtin(context_, "owl", nullptr), builtin);
+    expect_refused(clq_asset_builtin(nullptr, "owl", &made_), builtin);
+    expect_refused(clq_asset_builtin(context_, nullptr, &made_), builtin);
+    expect_refused(clq_asset_builtin(context_, "owl", nullptr), builtin);
     const std::string varied = "clq_asset_builtin_varied: context, name or out is NULL";
-    refused(clq_asset_builtin_varied(nullptr, "citizen", 30, &made_), varied);
-    refused(clq_asset_builtin_varied(context_, nullptr, 30, &made_), varied);
-    refused(clq_asset_builtin_varied(context_, "citizen", 30, nullptr), varied);
+    expect_refused(clq_asset_builtin_varied(nullptr, "citizen", 30, &made_), varied);
+    expect_refused(clq_asset_builtin_varied(context_, nullptr, 30, &made_), varied);
+    expect_refused(clq_asset_builtin_varied(context_, "citizen", 30, nullptr), varied);
     const std::string build = "clq_asset_build: context, asset or out is NULL";
-    refused(clq_asset_build(nullptr, asset_, 0, &built_), build);
-    refused(clq_asset_build(context_, nullptr, 0, &built_), build);
-    refused(clq_asset_build(context_, asset_, 0, nullptr), build);
+    expect_refused(clq_asset_build(nullptr, asset_, 0, &built_), build);
+    expect_refused(clq_asset_build(context_, nullptr, 0, &built_), build);
+    expect_refused(clq_asset_build(context_, asset_, 0, nullptr), build);
     const std::string gltf = "clq_template_load_gltf: context, bytes or out is NULL";
-    refused(clq_template_load_gltf(nullptr, "a", 1, nullptr, &built_), gltf);
-    refused(clq_template_load_gltf(context_, nullptr, 1, nullptr, &built_), gltf);
-    refused(clq_template_load_gltf(context_, "a", 1, nullptr, nullptr), gltf);
+    expect_refused(clq_template_load_gltf(nullptr, "a", 1, nullptr, &built_), gltf);
+    expect_refused(clq_template_load_gltf(context_, nullptr, 1, nullptr, &built_), gltf);
+    expect_refused(clq_template_load_gltf(context_, "a", 1, nullptr, nullptr), gltf);
     const std::string ready = "clq_template_builtin: context, name or out is NULL";
-    refused(clq_template_builtin(nullptr, "owl", &built_), ready);
-    refused(clq_template_builtin(context_, nullptr, &built_), ready);
-    refused(clq_template_builtin(context_, "owl", nullptr), ready);
+    expect_refused(clq_template_builtin(nullptr, "owl", &built_), ready);
+    expect_refused(clq_template_builtin(context_, nullptr, &built_), ready);
+    expect_refused(clq_template_builtin(context_, "owl", nullptr), ready);
     const std::string prepare = "clq_template_prepare: context, def or out is NULL";
     const clq_prepare_def def = clq_prepare_def_init();
-    refused(clq_template_prepare(nullptr, &def, &built_, nullptr), prepare);
-    refused(clq_template_prepare(context_, nullptr, &built_, nullptr), prepare);
-    refused(clq_template_prepare(context_, &def, nullptr, nullptr), prepare);
+    expect_refused(clq_template_prepare(nullptr, &def, &built_, nullptr), prepare);
+    expect_refused(clq_template_prepare(context_, nullptr, &built_, nullptr), prepare);
+    expect_refused(clq_template_prepare(context_, &def, nullptr, nullptr), prepare);
     clq_asset_destroy(nullptr);
 }
 
 TEST_F(AssetArguments, NullPointersAreRefusedByEveryCallThatChangesAnAsset)
 {
     const std::string clips = "clq_asset_add_clips: context, asset or source is NULL";
-    refused(clq_asset_add_clips(nullptr, asset_, source(), nullptr, nullptr), clips);
-    refused(clq_asset_add_clips(context_, nullptr, source(), nullptr, nullptr), clips);
-    refused(clq_asset_add_clips(context_, asset_, nullptr, nullptr, nullptr), clips);
+    expect_refused(clq_asset_add_clips(nullptr, asset_, source(), nullptr, nullptr), clips);
+    expect_refused(clq_asset_add_clips(context_, nullptr, source(), nullptr, nullptr), clips);
+    expect_refused(clq_asset_add_clips(context_, asset_, nullptr, nullptr, nullptr), clips);
     const std::string set = "clq_asset_add_texture_set: context, asset or name is NULL";
-    refused(clq_asset_add_texture_set(nullptr, asset_, "a", nullptr, 0), set);
-    refused(clq_asset_add_texture_set(context_, nullptr, "a", nullptr, 0), set);
-    refused(clq_asset_add_texture_set(context_, asset_, nullptr, nullptr, 0), set);
+    expect_refused(clq_asset_add_texture_set(nullptr, asset_, "a", nullptr, 0), set);
+    expect_refused(clq_asset_add_texture_set(context_, nullptr, "a", nullptr, 0), set);
+    expect_refused(clq_asset_add_texture_set(context_, asset_, nullptr, nullptr, 0), set);
     const std::string map = "clq_asset_set_zone_map: context, asset or def is NULL";
     const clq_zone_map_def zones = clq_zone_map_def_init();
-    refused(clq_asset_set_zone_map(nullptr, asset_, &zones), map);
-    refused(clq_asset_set_zone_map(context_, nullptr, &zones), map);
-    refused(clq_asset_set_zone_map(context_, asset_, nullptr), map);
-    refused(clq_asset_make_levels(nullptr, asset_, nullptr, nullptr),
-            "clq_asset_make_levels: context or asset is NULL");
-    refused(clq_asset_make_levels(context_, nullptr, nullptr, nullptr), "context or asset is NULL");
+    expect_refused(clq_asset_set_zone_map(nullptr, asset_, &zones), map);
+    expect_refused(clq_asset_set_zone_map(context_, nullptr, &zones), map);
+    expect_refused(clq_asset_set_zone_map(context_, asset_, nullptr), map);
+    expect_refused(clq_asset_make_levels(nullptr, asset_, nullptr, nullptr),
+                   "clq_asset_make_levels: context or asset is NULL");
+    expect_refused(clq_asset_make_levels(context_, nullptr, nullptr, nullptr), "context or asset is NULL");
 }
 
 // Each getter of a struct refuses a missing asset, a missing struct, one of another header, and an index too large.
 TEST_F(AssetArguments, GettersRefuseWhatTheyCannotFill)
 {
     const auto tried = [&](auto get, auto filled, const std::string &name, const char *beyond) {
-        refused(get(nullptr, 0, &filled), name + ": asset or out is NULL");
-        refused(get(asset_, 0, static_cast<decltype(&filled)>(nullptr)), name + ": asset or out is NULL");
-        if (beyond) refused(get(asset_, 9999, &filled), name + ": " + beyond);
+        expect_refused(get(nullptr, 0, &filled), name + ": asset or out is NULL");
+        expect_refused(get(asset_, 0, static_cast<decltype(&filled)>(nullptr)), name + ": asset or out is NULL");
+        if (beyond) expect_refused(get(asset_, 9999, &filled), name + ": " + beyond);
         filled.struct_bytes -= 1;
-        refused(get(asset_, 0, &filled), name + ": struct_bytes is ", CLQ_STRUCT_SIZE);
+        expect_refused(get(asset_, 0, &filled), name + ": struct_bytes is ", CLQ_STRUCT_SIZE);
     };
     tried([](const clq_asset *asset, uint32_t, clq_asset_info *out) { return clq_asset_get_info(asset, out); },
           clq_asset_info_init(), "clq_asset_get_info", nullptr);
@@ -143,11 +139,12 @@ TEST_F(AssetArguments, PositionsNeedAClipAndRoom)
 {
     std::vector<float> xyz(3 * info().vertex_count, 7.0f);
     const std::string null = "asset or out_xyz is NULL";
-    refused(clq_asset_get_positions(nullptr, 0, 0, xyz.data(), xyz.size()), null);
-    refused(clq_asset_get_positions(asset_, 0, 0, nullptr, xyz.size()), null);
-    refused(clq_asset_get_positions(asset_, 23, 0, xyz.data(), xyz.size()), "clip 23 does not exist: 'citizen' has 23");
-    refused(clq_asset_get_positions(asset_, 0, 0, xyz.data(), xyz.size() - 1),
-            std::to_string(xyz.size() - 1) + " floats for " + std::to_string(xyz.size() / 3) + " vertices");
+    expect_refused(clq_asset_get_positions(nullptr, 0, 0, xyz.data(), xyz.size()), null);
+    expect_refused(clq_asset_get_positions(asset_, 0, 0, nullptr, xyz.size()), null);
+    expect_refused(clq_asset_get_positions(asset_, 23, 0, xyz.data(), xyz.size()),
+                   "clip 23 does not exist: 'citizen' has 23");
+    expect_refused(clq_asset_get_positions(asset_, 0, 0, xyz.data(), xyz.size() - 1),
+                   std::to_string(xyz.size() - 1) + " floats for " + std::to_string(xyz.size() / 3) + " vertices");
     EXPECT_EQ(xyz, std::vector<float>(xyz.size(), 7.0f));
     EXPECT_EQ(clq_asset_get_positions(asset_, 22, 0, xyz.data(), xyz.size()), CLQ_OK) << clq_last_error();
     EXPECT_NE(xyz.back(), 7.0f);
@@ -156,12 +153,12 @@ TEST_F(AssetArguments, PositionsNeedAClipAndRoom)
 TEST_F(AssetArguments, NamesThatAreNotBuiltInAreToldThoseThatAre)
 {
     const std::string all = "citizen, patrician, decurion, plebeian, herald, owl";
-    refused(clq_asset_builtin(context_, "nobody", &made_),
-            "there is no built-in character 'nobody'; there are: " + all);
-    refused(clq_asset_builtin_varied(context_, "owl", 30, &made_),
-            "there is no built-in person 'owl'; there are: citizen, patrician, decurion, plebeian");
-    refused(clq_asset_builtin_varied(context_, "citizen", 22, &made_), "22 clips: 23 to 2000 are wanted");
-    refused(clq_asset_builtin_varied(context_, "citizen", 2001, &made_), "2001 clips: 23 to 2000 are wanted");
+    expect_refused(clq_asset_builtin(context_, "centurion", &made_),
+                   "there is no built-in character 'centurion'; there are: " + all);
+    expect_refused(clq_asset_builtin_varied(context_, "owl", 30, &made_),
+                   "there is no built-in person 'owl'; there are: citizen, patrician, decurion, plebeian");
+    expect_refused(clq_asset_builtin_varied(context_, "citizen", 22, &made_), "22 clips: 23 to 2000 are wanted");
+    expect_refused(clq_asset_builtin_varied(context_, "citizen", 2001, &made_), "2001 clips: 23 to 2000 are wanted");
     for (const uint32_t count : {23u, 24u}) {
         clq_asset *varied = nullptr;
         ASSERT_EQ(clq_asset_builtin_varied(context_, "citizen", count, &varied), CLQ_OK) << clq_last_error();
@@ -176,14 +173,15 @@ TEST_F(AssetArguments, OptionsWithNamesThatAreNullAreRefused)
 {
     clq_asset_options options = clq_asset_options_init();
     options.hidden_node_count = 2;
-    refused(clq_asset_load(context_, "a", 1, &options, &made_), "hidden_nodes is NULL with a count");
+    expect_refused(clq_asset_load(context_, "a", 1, &options, &made_), "hidden_nodes is NULL with a count");
     const char *const names[2] = {"hat", nullptr};
     options.hidden_nodes = names;
-    refused(clq_asset_load(context_, "a", 1, &options, &made_), "a hidden node's name is NULL");
-    refused(clq_template_load_gltf(context_, "a", 1, &options, &built_), "a hidden node's name is NULL");
+    expect_refused(clq_asset_load(context_, "a", 1, &options, &made_), "a hidden node's name is NULL");
+    expect_refused(clq_template_load_gltf(context_, "a", 1, &options, &built_), "a hidden node's name is NULL");
     options.struct_bytes = 3;
-    refused(clq_asset_load_file(context_, "a", &options, &made_), "clq_asset_options_init gives", CLQ_STRUCT_SIZE);
-    refused(clq_template_load_gltf(context_, "a", 1, &options, &built_), "struct_bytes is 3", CLQ_STRUCT_SIZE);
+    expect_refused(clq_asset_load_file(context_, "a", &options, &made_), "clq_asset_options_init gives",
+                   CLQ_STRUCT_SIZE);
+    expect_refused(clq_template_load_gltf(context_, "a", 1, &options, &built_), "struct_bytes is 3", CLQ_STRUCT_SIZE);
 }
 
 TEST_F(AssetArguments, WhatPrepareCannotUseTogetherIsRefused)
@@ -193,7 +191,7 @@ TEST_F(AssetArguments, WhatPrepareCannotUseTogetherIsRefused)
         clq_prepare_def def = clq_prepare_def_init();
         def.builtin = "owl", def.folder = "";
         breaks(def);
-        refused(clq_template_prepare(context_, &def, &built_, nullptr), sentence, status);
+        expect_refused(clq_template_prepare(context_, &def, &built_, nullptr), sentence, status);
     };
     const std::string folder = testing::TempDir() + "claque_asset_arguments";
     clq_asset_options options = clq_asset_options_init();
@@ -218,7 +216,8 @@ TEST_F(AssetArguments, WhatPrepareCannotUseTogetherIsRefused)
     def.builtin = "owl";
     clq_prepare_report report = clq_prepare_report_init();
     report.struct_bytes = 2;
-    refused(clq_template_prepare(context_, &def, &built_, &report), "clq_prepare_report_init gives", CLQ_STRUCT_SIZE);
+    expect_refused(clq_template_prepare(context_, &def, &built_, &report), "clq_prepare_report_init gives",
+                   CLQ_STRUCT_SIZE);
 }
 
 }  // namespace

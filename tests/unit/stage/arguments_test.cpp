@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/api/expect_refused.h"
 #include "tests/unit/stage/stage_world.h"
 
 namespace
@@ -26,12 +27,6 @@ protected:
         EXPECT_EQ(world_.info().transitions, transitions_);
         EXPECT_EQ(world_.variable(agent_, "n"), 0);
     }
-    void refused(clq_status status, const std::string &sentence, clq_status wanted = CLQ_ARGUMENT) const
-    {
-        EXPECT_EQ(status, wanted) << sentence;
-        EXPECT_NE(std::string(clq_last_error()).find(sentence), std::string::npos)
-            << clq_last_error() << "\nand not: " << sentence;
-    }
 
     StageWorld world_;
     clq_stage *stage_ = world_.stage;
@@ -43,67 +38,67 @@ protected:
 TEST_F(StageArguments, NullPointersAreRefusedByEveryCall)
 {
     clq_stage *made = nullptr;
-    refused(clq_stage_create(nullptr, nullptr, &made), "clq_stage_create: context or out is NULL");
-    refused(clq_stage_create(world_.arm.context, nullptr, nullptr), "clq_stage_create: context or out is NULL");
+    expect_refused(clq_stage_create(nullptr, nullptr, &made), "clq_stage_create: context or out is NULL");
+    expect_refused(clq_stage_create(world_.arm.context, nullptr, nullptr), "clq_stage_create: context or out is NULL");
     EXPECT_EQ(made, nullptr);
     clq_stage_destroy(nullptr);
-    refused(clq_stage_step(nullptr, 1), "clq_stage_step: stage is NULL");
+    expect_refused(clq_stage_step(nullptr, 1), "clq_stage_step: stage is NULL");
     EXPECT_EQ(clq_stage_get_decided_s(nullptr), 0);
-    refused(clq_stage_apply(nullptr, world_.arm.crowd, 0, nullptr), "clq_stage_apply: stage or crowd is NULL");
-    refused(clq_stage_apply(stage_, nullptr, 0, nullptr), "clq_stage_apply: stage or crowd is NULL");
+    expect_refused(clq_stage_apply(nullptr, world_.arm.crowd, 0, nullptr), "clq_stage_apply: stage or crowd is NULL");
+    expect_refused(clq_stage_apply(stage_, nullptr, 0, nullptr), "clq_stage_apply: stage or crowd is NULL");
     clq_stage_info info = clq_stage_info_init();
-    refused(clq_stage_get_info(nullptr, &info), "clq_stage_get_info: stage or out is NULL");
-    refused(clq_stage_get_info(stage_, nullptr), "clq_stage_get_info: stage or out is NULL");
+    expect_refused(clq_stage_get_info(nullptr, &info), "clq_stage_get_info: stage or out is NULL");
+    expect_refused(clq_stage_get_info(stage_, nullptr), "clq_stage_get_info: stage or out is NULL");
     const clq_action_def action = clq_action_def_init();
-    refused(clq_stage_add_action(nullptr, &action), "clq_stage_add_action: stage or def is NULL");
-    refused(clq_stage_add_action(stage_, nullptr), "clq_stage_add_action: stage or def is NULL");
+    expect_refused(clq_stage_add_action(nullptr, &action), "clq_stage_add_action: stage or def is NULL");
+    expect_refused(clq_stage_add_action(stage_, nullptr), "clq_stage_add_action: stage or def is NULL");
     const clq_machine_def machine = clq_machine_def_init();
     clq_machine machine_out{};
-    refused(clq_stage_add_machine(nullptr, &machine, &machine_out), "stage, def or out is NULL");
-    refused(clq_stage_add_machine(stage_, nullptr, &machine_out), "stage, def or out is NULL");
-    refused(clq_stage_add_machine(stage_, &machine, nullptr), "stage, def or out is NULL");
+    expect_refused(clq_stage_add_machine(nullptr, &machine, &machine_out), "stage, def or out is NULL");
+    expect_refused(clq_stage_add_machine(stage_, nullptr, &machine_out), "stage, def or out is NULL");
+    expect_refused(clq_stage_add_machine(stage_, &machine, nullptr), "stage, def or out is NULL");
     const clq_agent_def agent = clq_agent_def_init();
     clq_agent agent_out{};
-    refused(clq_stage_add_agent(nullptr, &agent, &agent_out), "stage, def or out is NULL");
-    refused(clq_stage_add_agent(stage_, nullptr, &agent_out), "stage, def or out is NULL");
-    refused(clq_stage_add_agent(stage_, &agent, nullptr), "stage, def or out is NULL");
-    refused(clq_stage_remove_agent(nullptr, agent_), "clq_stage_remove_agent: stage is NULL");
+    expect_refused(clq_stage_add_agent(nullptr, &agent, &agent_out), "stage, def or out is NULL");
+    expect_refused(clq_stage_add_agent(stage_, nullptr, &agent_out), "stage, def or out is NULL");
+    expect_refused(clq_stage_add_agent(stage_, &agent, nullptr), "stage, def or out is NULL");
+    expect_refused(clq_stage_remove_agent(nullptr, agent_), "clq_stage_remove_agent: stage is NULL");
     const double origin[3] = {0, 0, 0};
-    refused(clq_stage_set_place(nullptr, agent_, origin), "stage or position is NULL");
-    refused(clq_stage_set_place(stage_, agent_, nullptr), "stage or position is NULL");
+    expect_refused(clq_stage_set_place(nullptr, agent_, origin), "stage or position is NULL");
+    expect_refused(clq_stage_set_place(stage_, agent_, nullptr), "stage or position is NULL");
     clq_agent_info found = clq_agent_info_init();
-    refused(clq_stage_get_agent(nullptr, agent_, &found), "stage or out is NULL");
-    refused(clq_stage_get_agent(stage_, agent_, nullptr), "stage or out is NULL");
+    expect_refused(clq_stage_get_agent(nullptr, agent_, &found), "stage or out is NULL");
+    expect_refused(clq_stage_get_agent(stage_, agent_, nullptr), "stage or out is NULL");
     double value = 5;
-    refused(clq_stage_get_variable(nullptr, agent_, "n", &value), "stage, name or out is NULL");
-    refused(clq_stage_get_variable(stage_, agent_, nullptr, &value), "stage, name or out is NULL");
-    refused(clq_stage_get_variable(stage_, agent_, "n", nullptr), "stage, name or out is NULL");
+    expect_refused(clq_stage_get_variable(nullptr, agent_, "n", &value), "stage, name or out is NULL");
+    expect_refused(clq_stage_get_variable(stage_, agent_, nullptr, &value), "stage, name or out is NULL");
+    expect_refused(clq_stage_get_variable(stage_, agent_, "n", nullptr), "stage, name or out is NULL");
     EXPECT_EQ(value, 5);
     const clq_stage_text text = clq_stage_text_init();
-    refused(clq_stage_add_timetable(nullptr, &text, 0), "stage or source is NULL");
-    refused(clq_stage_add_timetable(stage_, nullptr, 0), "stage or source is NULL");
+    expect_refused(clq_stage_add_timetable(nullptr, &text, 0), "stage or source is NULL");
+    expect_refused(clq_stage_add_timetable(stage_, nullptr, 0), "stage or source is NULL");
     const clq_stage_event event = clq_stage_event_init();
-    refused(clq_stage_send(nullptr, &event), "stage or event is NULL");
-    refused(clq_stage_send(stage_, nullptr), "stage or event is NULL");
-    refused(clq_stage_set_variable(nullptr, agent_, "n", 0, 0), "stage or name is NULL");
-    refused(clq_stage_set_variable(stage_, agent_, nullptr, 0, 0), "stage or name is NULL");
+    expect_refused(clq_stage_send(nullptr, &event), "stage or event is NULL");
+    expect_refused(clq_stage_send(stage_, nullptr), "stage or event is NULL");
+    expect_refused(clq_stage_set_variable(nullptr, agent_, "n", 0, 0), "stage or name is NULL");
+    expect_refused(clq_stage_set_variable(stage_, agent_, nullptr, 0, 0), "stage or name is NULL");
     const bool seen = true;
-    refused(clq_stage_tell_view(nullptr, &agent_, &seen, 1, 0), "stage, agents or in_view is NULL");
-    refused(clq_stage_tell_view(stage_, nullptr, &seen, 1, 0), "stage, agents or in_view is NULL");
-    refused(clq_stage_tell_view(stage_, &agent_, nullptr, 1, 0), "stage, agents or in_view is NULL");
+    expect_refused(clq_stage_tell_view(nullptr, &agent_, &seen, 1, 0), "stage, agents or in_view is NULL");
+    expect_refused(clq_stage_tell_view(stage_, nullptr, &seen, 1, 0), "stage, agents or in_view is NULL");
+    expect_refused(clq_stage_tell_view(stage_, &agent_, nullptr, 1, 0), "stage, agents or in_view is NULL");
     EXPECT_EQ(clq_stage_tell_view(stage_, nullptr, nullptr, 0, 0), CLQ_OK);
     const auto write = [](void *, const void *, size_t) { return 0; };
-    refused(clq_stage_save(nullptr, write, nullptr), "stage or write is NULL");
-    refused(clq_stage_save(stage_, nullptr, nullptr), "stage or write is NULL");
-    refused(clq_stage_restore(nullptr, nullptr, "a", 1), "stage or bytes is NULL");
-    refused(clq_stage_restore(stage_, nullptr, nullptr, 1), "stage or bytes is NULL");
+    expect_refused(clq_stage_save(nullptr, write, nullptr), "stage or write is NULL");
+    expect_refused(clq_stage_save(stage_, nullptr, nullptr), "stage or write is NULL");
+    expect_refused(clq_stage_restore(nullptr, nullptr, "a", 1), "stage or bytes is NULL");
+    expect_refused(clq_stage_restore(stage_, nullptr, nullptr, 1), "stage or bytes is NULL");
 }
 
 TEST_F(StageArguments, StructsOfAnotherHeaderAreRefused)
 {
     const auto other = [&](auto made, const auto &call) {
         made.struct_bytes -= 4;
-        refused(call(&made), "struct_bytes is " + std::to_string(made.struct_bytes), CLQ_STRUCT_SIZE);
+        expect_refused(call(&made), "struct_bytes is " + std::to_string(made.struct_bytes), CLQ_STRUCT_SIZE);
     };
     clq_stage *stage = nullptr;
     clq_machine machine{};
@@ -125,7 +120,7 @@ TEST_F(StageArguments, SettingsOutsideTheirLimitsAreRefused)
         clq_stage_def def = clq_stage_def_init();
         breaks(def);
         clq_stage *made = nullptr;
-        refused(clq_stage_create(world_.arm.context, &def, &made), sentence);
+        expect_refused(clq_stage_create(world_.arm.context, &def, &made), sentence);
         EXPECT_EQ(made, nullptr);
     };
     using Def = clq_stage_def;
@@ -146,20 +141,20 @@ TEST_F(StageArguments, SettingsOutsideTheirLimitsAreRefused)
 
 TEST_F(StageArguments, TimesAndPlacesThatAreNoneAreRefused)
 {
-    refused(clq_stage_step(stage_, NAN), "until_s is not finite");
-    refused(clq_stage_apply(stage_, world_.arm.crowd, INFINITY, nullptr), "time_s is not finite");
-    refused(clq_stage_apply(stage_, world_.arm.crowd, 0.2, nullptr),
-            "time_s is 0.2, and only what happens up to 0.1 is decided");
-    refused(clq_stage_set_variable(stage_, agent_, "n", INFINITY, 0), "value is not finite");
-    refused(clq_stage_set_variable(stage_, agent_, "n", 0, NAN), "at_s is not finite");
+    expect_refused(clq_stage_step(stage_, NAN), "until_s is not finite");
+    expect_refused(clq_stage_apply(stage_, world_.arm.crowd, INFINITY, nullptr), "time_s is not finite");
+    expect_refused(clq_stage_apply(stage_, world_.arm.crowd, 0.2, nullptr),
+                   "time_s is 0.2, and only what happens up to 0.1 is decided");
+    expect_refused(clq_stage_set_variable(stage_, agent_, "n", INFINITY, 0), "value is not finite");
+    expect_refused(clq_stage_set_variable(stage_, agent_, "n", 0, NAN), "at_s is not finite");
     const bool seen = true;
-    refused(clq_stage_tell_view(stage_, &agent_, &seen, 1, NAN), "at_s is not finite");
+    expect_refused(clq_stage_tell_view(stage_, &agent_, &seen, 1, NAN), "at_s is not finite");
     clq_stage_text text = clq_stage_text_init();
     text.text = "", text.text_bytes = 0;
-    refused(clq_stage_add_timetable(stage_, &text, NAN), "offset_s is not finite");
+    expect_refused(clq_stage_add_timetable(stage_, &text, NAN), "offset_s is not finite");
     const double far[3] = {0, 0, 2e12}, nowhere[3] = {0, NAN, 0};
-    refused(clq_stage_set_place(stage_, agent_, far), "position[2] is 2e+12");
-    refused(clq_stage_set_place(stage_, agent_, nowhere), "position[1] is nan");
+    expect_refused(clq_stage_set_place(stage_, agent_, far), "position[2] is 2e+12");
+    expect_refused(clq_stage_set_place(stage_, agent_, nowhere), "position[1] is nan");
 }
 
 TEST_F(StageArguments, AgentsThatCannotBeAreRefused)
@@ -169,7 +164,7 @@ TEST_F(StageArguments, AgentsThatCannotBeAreRefused)
         def.machine = machine_, def.tmpl = world_.arm.tmpl;
         breaks(def);
         clq_agent made{};
-        refused(clq_stage_add_agent(stage_, &def, &made), sentence);
+        expect_refused(clq_stage_add_agent(stage_, &def, &made), sentence);
         EXPECT_EQ(made.index1, 0u);
     };
     using Def = clq_agent_def;
@@ -186,10 +181,10 @@ TEST_F(StageArguments, AgentsThatCannotBeAreRefused)
         clq_agent_info info = clq_agent_info_init();
         const double origin[3] = {0, 0, 0};
         const bool seen = true;
-        refused(clq_stage_get_agent(stage_, none, &info), sentence, CLQ_STALE_ID);
-        refused(clq_stage_remove_agent(stage_, none), sentence, CLQ_STALE_ID);
-        refused(clq_stage_set_place(stage_, none, origin), sentence, CLQ_STALE_ID);
-        refused(clq_stage_tell_view(stage_, &none, &seen, 1, 0), sentence, CLQ_STALE_ID);
+        expect_refused(clq_stage_get_agent(stage_, none, &info), sentence, CLQ_STALE_ID);
+        expect_refused(clq_stage_remove_agent(stage_, none), sentence, CLQ_STALE_ID);
+        expect_refused(clq_stage_set_place(stage_, none, origin), sentence, CLQ_STALE_ID);
+        expect_refused(clq_stage_tell_view(stage_, &none, &seen, 1, 0), sentence, CLQ_STALE_ID);
     }
 }
 
@@ -202,7 +197,7 @@ TEST_F(StageArguments, MachinesAndActionsWithoutTheirPartsAreRefused)
         def.templates = twice, def.template_count = 1;
         breaks(def);
         clq_machine made{};
-        refused(clq_stage_add_machine(stage_, &def, &made), sentence, status);
+        expect_refused(clq_stage_add_machine(stage_, &def, &made), sentence, status);
         EXPECT_EQ(made.index1, 0u);
     };
     wrong("templates is NULL, or template_count is 0", [](clq_machine_def &def) { def.template_count = 0; });
@@ -218,14 +213,14 @@ TEST_F(StageArguments, MachinesAndActionsWithoutTheirPartsAreRefused)
         "/dev/zero has more than 4194304 bytes", [](clq_machine_def &def) { def.source.path = "/dev/zero"; },
         CLQ_LIMIT);
     clq_action_def action = clq_action_def_init();
-    refused(clq_stage_add_action(stage_, &action), "decide and show are both NULL");
+    expect_refused(clq_stage_add_action(stage_, &action), "decide and show are both NULL");
     action.show = [](void *, const clq_action_call *) {};
-    refused(clq_stage_add_action(stage_, &action), "the name is empty");
+    expect_refused(clq_stage_add_action(stage_, &action), "the name is empty");
     action.name = "";
-    refused(clq_stage_add_action(stage_, &action), "the name is empty");
+    expect_refused(clq_stage_add_action(stage_, &action), "the name is empty");
     action.name = "bow";
     EXPECT_EQ(clq_stage_add_action(stage_, &action), CLQ_OK) << clq_last_error();
-    refused(clq_stage_add_action(stage_, &action), "there is an action 'bow' already");
+    expect_refused(clq_stage_add_action(stage_, &action), "there is an action 'bow' already");
 }
 
 }  // namespace

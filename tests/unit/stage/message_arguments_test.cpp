@@ -2,6 +2,7 @@
 #include <cmath>
 #include <functional>
 
+#include "tests/api/expect_refused.h"
 #include "tests/unit/stage/stage_world.h"
 
 namespace
@@ -16,12 +17,6 @@ protected:
         agent_ = world_.agent(machine, 0, "owl");
         world_.step(0.1);
     }
-    void refused(clq_status status, const std::string &sentence, clq_status wanted = CLQ_ARGUMENT) const
-    {
-        EXPECT_EQ(status, wanted) << sentence;
-        EXPECT_NE(std::string(clq_last_error()).find(sentence), std::string::npos)
-            << clq_last_error() << "\nand not: " << sentence;
-    }
 
     StageWorld world_;
     clq_stage *stage_ = world_.stage;
@@ -35,7 +30,7 @@ TEST_F(StageMessages, EventsWithWrongNumbersAreRefused)
         clq_stage_event event = clq_stage_event_init();
         event.name = "go", event.at_s = 0.2;
         breaks(event);
-        refused(clq_stage_send(stage_, &event), sentence, status);
+        expect_refused(clq_stage_send(stage_, &event), sentence, status);
     };
     using Event = clq_stage_event;
     wrong("the event has no name", [](Event &event) { event.name = nullptr; });
@@ -61,10 +56,10 @@ TEST_F(StageMessages, VariablesAreFoundByNameAndKeepTheirKind)
     const auto set = [&](clq_agent agent, const char *name, double value) {
         return clq_stage_set_variable(stage_, agent, name, value, 0.2);
     };
-    refused(set(agent_, "m", 1), "there is no variable 'm'");
-    refused(set({}, "n", 1), "there is no variable 'n'");
-    refused(set({7}, "n", 1), "there is no agent 7", CLQ_STALE_ID);
-    refused(set(agent_, "open", 0.5), "the variable 'open' is true or false: 0 or 1 is wanted, not 0.5");
+    expect_refused(set(agent_, "m", 1), "there is no variable 'm'");
+    expect_refused(set({}, "n", 1), "there is no variable 'n'");
+    expect_refused(set({7}, "n", 1), "there is no agent 7", CLQ_STALE_ID);
+    expect_refused(set(agent_, "open", 0.5), "the variable 'open' is true or false: 0 or 1 is wanted, not 0.5");
     for (const double value : {0.0, 1.0}) EXPECT_EQ(set(agent_, "open", value), CLQ_OK) << clq_last_error();
     EXPECT_EQ(set(agent_, "n", 0.5), CLQ_OK) << clq_last_error();
     EXPECT_EQ(set({}, "mood", 3), CLQ_OK) << clq_last_error();
@@ -72,9 +67,9 @@ TEST_F(StageMessages, VariablesAreFoundByNameAndKeepTheirKind)
     EXPECT_EQ(world_.variable(agent_, "n"), 0.5);
     EXPECT_EQ(world_.crowd_variable("mood"), 3);
     double value = 0;
-    refused(clq_stage_get_variable(stage_, agent_, "mood", &value), "there is no variable 'mood'");
-    refused(clq_stage_get_variable(stage_, {}, "n", &value), "there is no variable 'n'");
-    refused(clq_stage_get_variable(stage_, {7}, "n", &value), "there is no agent 7", CLQ_STALE_ID);
+    expect_refused(clq_stage_get_variable(stage_, agent_, "mood", &value), "there is no variable 'mood'");
+    expect_refused(clq_stage_get_variable(stage_, {}, "n", &value), "there is no variable 'n'");
+    expect_refused(clq_stage_get_variable(stage_, {7}, "n", &value), "there is no agent 7", CLQ_STALE_ID);
 }
 
 // Variables of an agent that has not begun are those that its machine begins with.
@@ -97,8 +92,8 @@ TEST_F(StageMessages, TimetablesThatCannotBeAreRefusedByLineAndColumn)
                            clq_status status = CLQ_FORMAT) {
         clq_stage_text source = clq_stage_text_init();
         source.text = text.data(), source.text_bytes = text.size(), source.name = "t.toml";
-        refused(clq_stage_add_timetable(stage_, &source, 0), place, status);
-        refused(clq_stage_add_timetable(stage_, &source, 0), rule, status);
+        expect_refused(clq_stage_add_timetable(stage_, &source, 0), place, status);
+        expect_refused(clq_stage_add_timetable(stage_, &source, 0), rule, status);
     };
     const std::string event = "[[event]]\nat = 1\nsend = \"go\"\n";
     wrong("[[events]]\n", "t.toml, line 1", "'events' is not known here; there are: event");
