@@ -149,20 +149,34 @@ std::string pixels(uint32_t count)
     return folder.packed();
 }
 
+// A folder that goes with its files.
+struct TemporaryFolder {
+    std::string path = (std::filesystem::temp_directory_path() / "claque-bench-XXXXXX").string();
+    TemporaryFolder()
+    {
+        if (!mkdtemp(path.data())) throw scenes::Failure(path + " could not be made");
+    }
+    ~TemporaryFolder()
+    {
+        std::error_code ignored;
+        std::filesystem::remove_all(path, ignored);
+    }
+    TemporaryFolder(const TemporaryFolder &) = delete;
+    TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+};
+
 // Writes the files to a folder, reads them, and compares the result with itself.
 Reading read_folder(scenes::Library &, const std::string &bytes)
 {
-    std::string folder = (std::filesystem::temp_directory_path() / "claque-bench-XXXXXX").string();
-    if (!mkdtemp(folder.data())) throw scenes::Failure(folder + " could not be made");
+    const TemporaryFolder folder;
     for (size_t at = 0; at < bytes.size();) {
         const size_t blank = bytes.find(' ', at), line = bytes.find('\n', at);
         const size_t size = std::stoul(bytes.substr(blank + 1, line - blank - 1));
-        write_whole(folder + "/" + bytes.substr(at, blank - at), bytes.substr(line + 1, size));
+        write_whole(folder.path + "/" + bytes.substr(at, blank - at), bytes.substr(line + 1, size));
         at = line + 1 + size;
     }
     parity::Capture capture;
-    Reading out = timed_parity([&] { capture = parity::read_capture(folder); });
-    std::filesystem::remove_all(folder);
+    Reading out = timed_parity([&] { capture = parity::read_capture(folder.path); });
     if (out.loaded != "ok") return out;
     const Reading compared = timed_parity([&] { parity::compare(capture, capture, 60); });
     out.build_ms = compared.load_ms, out.built = compared.loaded;

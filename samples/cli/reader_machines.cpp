@@ -17,12 +17,9 @@ using scenes::Own;
 template <class One>
 std::string list_of(uint32_t count, const One &one)
 {
-    std::string text = "[ ";
-    for (uint32_t i = 0; i < count; ++i) text += (i ? ", " : "") + one(i);
-    return text + " ]";
+    return repeated(
+        "[ ", count, [&](uint32_t i) { return (i ? ", " : "") + one(i); }, " ]");
 }
-
-std::string number(uint32_t i) { return std::to_string(i); }
 
 const std::string head = "machine = \"m\"\n[events]\ngo = 0\n[variables]\nn = 0.0\n";
 
@@ -30,28 +27,26 @@ std::string one_state(const std::string &more) { return head + "[states.a]\n" + 
 
 std::string states(uint32_t count)
 {
-    std::string text = head;
-    for (uint32_t i = 0; i < count; ++i)
-        text += "[states.s" + number(i) + "]\n" + (i ? "" : "initial = true\n") +
-                "transitions = [ { on = \"go\", to = \"s" + number((i + 1) % count) + "\" } ]\n";
-    return text;
+    return repeated(head, count, [=](uint32_t i) {
+        return "[states.s" + digits(i) + "]\n" + (i ? "" : "initial = true\n") +
+               "transitions = [ { on = \"go\", to = \"s" + digits((i + 1) % count) + "\" } ]\n";
+    });
 }
 
 std::string transitions(uint32_t count)
 {
     return one_state("transitions = " + list_of(count, [](uint32_t i) {
-                         return "{ on = \"go\", if = \"n > " + number(i) + "\", do = [ { set = \"n\", to = 1 } ] }";
+                         return "{ on = \"go\", if = \"n > " + digits(i) + "\", do = [ { set = \"n\", to = 1 } ] }";
                      }));
 }
 
 // Conditions alone, which might go round for ever.
 std::string conditions(uint32_t count)
 {
-    std::string text = head;
-    for (uint32_t i = 0; i < count; ++i)
-        text += "[states.s" + number(i) + "]\n" + (i ? "" : "initial = true\n") + "transitions = [ { if = \"n > " +
-                number(i) + "\", to = \"s" + number((i + 1) % count) + "\", do = [ { set = \"n\", to = 0 } ] } ]\n";
-    return text;
+    return repeated(head, count, [=](uint32_t i) {
+        return "[states.s" + digits(i) + "]\n" + (i ? "" : "initial = true\n") + "transitions = [ { if = \"n > " +
+               digits(i) + "\", to = \"s" + digits((i + 1) % count) + "\", do = [ { set = \"n\", to = 0 } ] } ]\n";
+    });
 }
 
 std::string targets(uint32_t count)
@@ -73,30 +68,26 @@ std::string clips(uint32_t count)
 
 std::string terms(uint32_t count)
 {
-    std::string sum = "n";
-    for (uint32_t i = 1; i < count; ++i) sum += " + n";
+    const std::string sum = repeated("n", count - 1, [](uint32_t) { return std::string(" + n"); });
     return one_state("enter = [ { set = \"n\", to = \"" + sum + "\" } ]");
 }
 
 std::string variables(uint32_t count)
 {
-    std::string text = "machine = \"m\"\n[variables]\n";
-    for (uint32_t i = 0; i < count; ++i) text += "v" + number(i) + " = 0.0\n";
-    return text + "[states.a]\n";
+    return repeated(
+        "machine = \"m\"\n[variables]\n", count, [](uint32_t i) { return "v" + digits(i) + " = 0.0\n"; },
+        "[states.a]\n");
 }
 
 std::string events(uint32_t count)
 {
-    std::string text = "machine = \"m\"\n[events]\n";
-    for (uint32_t i = 0; i < count; ++i) text += "e" + number(i) + " = 0\n";
-    return text + "[states.a]\n";
+    return repeated(
+        "machine = \"m\"\n[events]\n", count, [](uint32_t i) { return "e" + digits(i) + " = 0\n"; }, "[states.a]\n");
 }
 
 std::string comments(uint32_t count)
 {
-    std::string text = one_state("");
-    for (uint32_t i = 0; i < count; ++i) text += "# " + number(i) + "\n";
-    return text;
+    return repeated(one_state(""), count, [](uint32_t i) { return "# " + digits(i) + "\n"; });
 }
 
 Reading read_machine(scenes::Library &library, const std::string &bytes)
@@ -131,7 +122,7 @@ std::vector<ReaderElement> reader_elements_of_machines()
             {"machine", "terms of an expression", 100, terms, read_machine},
             {"machine", "variables", 64, variables, read_machine},
             {"machine", "events", 240, events, read_machine},
-            {"machine", "lines of comment", 100000, comments, read_machine}};
+            {"machine", "lines of comment", most_elements, comments, read_machine}};
 }
 
 }  // namespace cli
