@@ -44,10 +44,11 @@ protected:
     std::string in(const std::string &name) const { return path("in") + "/" + name; }
     std::string out(const std::string &name) const { return path("out") + "/" + name; }
 
+    // Large enough that a processor of several times the usual speed still works on them when a signal comes.
     void write_inputs() const
     {
         std::ofstream(in("steps.toml")) << "steps = ['wait 3600']\n";
-        for (const int people : {400, 10}) {
+        for (const int people : {1200, 10}) {
             std::ofstream table(in(people > 10 ? "crowd.csv" : "few.csv"));
             table << "id,frame,x,y\n";
             for (int frame = 0; frame < 600; ++frame)
@@ -55,11 +56,12 @@ protected:
                     table << person << "," << frame << "," << 0.1 * frame << "," << 0.7 * person << "\n";
         }
         std::ofstream grid(in("grid.obj"));
-        for (int i = 0; i < 90000; ++i)
-            grid << "v " << i % 300 << " " << i / 300 << " " << i % 7 << "\nvn 0 0 1\nvt 0." << i << " 0\n";
-        for (int i = 0; i < 299 * 300; ++i)
-            if (i % 300 < 299)
-                for (const auto &[b, c] : {std::pair(i + 1, i + 301), std::pair(i + 301, i + 300)})
+        constexpr int side = 600;
+        for (int i = 0; i < side * side; ++i)
+            grid << "v " << i % side << " " << i / side << " " << i % 7 << "\nvn 0 0 1\nvt 0." << i << " 0\n";
+        for (int i = 0; i < (side - 1) * side; ++i)
+            if (i % side < side - 1)
+                for (const auto &[b, c] : {std::pair(i + 1, i + side + 1), std::pair(i + side + 1, i + side)})
                     grid << "f " << i + 1 << "/" << i + 1 << "/1 " << b + 1 << "/" << b + 1 << "/1 " << c + 1 << "/"
                          << c + 1 << "/1\n";
         grid.close();
