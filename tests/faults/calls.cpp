@@ -87,8 +87,8 @@ void add_crowds(std::vector<Call> &all)
     all.push_back(
         {"clq_actor_detach", [](W w) { return clq_actor_detach(w.objects.crowd, w.objects.attachment); }, quiet});
     const auto update = [](const char *variant, clq_crowd *World::*crowd, clq_view *World::*view) {
-        return Call{"clq_crowd_update", [=](W w) { return clq_crowd_update(w.*crowd, 3, &(w.*view), 1); }, keeps,
-                    nullptr, variant};
+        return Call{"clq_crowd_update", [=](W w) { return clq_crowd_update(w.*crowd, 3, &(w.*view), 1); },
+                    keeps | counts, nullptr, variant};
     };
     all.push_back(update("without caches", &World::bare, &World::bare_view));
     all.push_back(update("with key-poses", &World::key_posed, &World::key_view));

@@ -12,6 +12,7 @@ enum Trait : uint32_t {
     ends = 8,     // destroys what others use: tried last, nothing is seen afterwards
     inside = 16,  // reports under the name of a call that it makes
     grows = 32,   // tried with one actor after the other, until tables have to grow
+    counts = 64,  // succeeds without memory for single individuals, counts them in left_out, and shows them next time
 };
 
 struct Call {

@@ -136,6 +136,11 @@ std::string run_fault(World *world, const Call &call, uint64_t n, bool persisten
             return wrong(
                 n, std::string("the next call fails as well: ") + clq_status_name(status) + ", " + clq_last_error());
     }
+    if ((call.traits & counts) && world->left_out() > 0) {
+        status = attempt(*world, call);
+        if (status != CLQ_OK || world->left_out() > 0)
+            return wrong(n, "the next update leaves individuals out as well");
+    }
     finish(*world, call);
     const char *when = refused ? "after the next call: " : "though the call succeeded: ";
     if (world->found != good.found) return wrong(n, std::string(when) + "another result");

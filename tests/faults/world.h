@@ -28,9 +28,10 @@ public:
     World(const World &) = delete;
     World &operator=(const World &) = delete;
 
-    std::string see();         // what is now
-    std::string see_future();  // what updates and draws give from here
-    void grow();               // by an actor, the one that calls then name
+    std::string see();          // what is now
+    std::string see_future();   // what updates and draws give from here
+    void grow();                // by an actor, the one that calls then name
+    uint32_t left_out() const;  // by the crowds' last updates
 
     // Made by a call that is tried; `untouched` until then.
     template <class T>

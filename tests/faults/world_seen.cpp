@@ -130,6 +130,17 @@ std::string World::see()
     return all.text();
 }
 
+uint32_t World::left_out() const
+{
+    uint32_t sum = 0;
+    for (const clq_crowd *crowd : {objects.crowd, bare, key_posed, young}) {
+        clq_crowd_stats stats = clq_crowd_stats_init();
+        EXPECT_EQ(clq_crowd_get_stats(crowd, &stats), CLQ_OK) << clq_last_error();
+        sum += stats.left_out;
+    }
+    return sum;
+}
+
 std::string World::see_future()
 {
     Lines all;

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <memory>
 
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
-
 #include "lib/base/error.h"
+#include "lib/lod/decimation/add_module.h"
 #include "lib/lod/decimation/decimated_parts.h"
 #include "lib/lod/decimation/decimater_modules.h"
 #include "lib/lod/surface/joint_displacement.h"
@@ -96,9 +95,9 @@ std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const Deci
     om::ModHandleT<ModCost<Mesh>> cost;
     om::ModHandleT<ModFlips<Mesh>> flips;
     om::ModHandleT<ModSeams<Mesh>> seams;
-    decimater.add(cost);
-    decimater.add(seams);
-    decimater.add(flips);
+    add_module(decimater, cost);
+    add_module(decimater, seams);
+    add_module(decimater, flips);
     decimater.module(seams).configure(&surface);
     decimater.module(flips).configure(&surface, options.turn_deg);
     std::unique_ptr<ZoneAreaCost> zone_area;

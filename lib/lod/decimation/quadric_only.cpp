@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <limits>
 
-#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 
 #include "lib/base/error.h"
+#include "lib/lod/decimation/add_module.h"
 #include "lib/lod/decimation/decimate.h"
 #include "lib/lod/decimation/decimated_parts.h"
 
@@ -97,8 +97,8 @@ std::vector<Decimated> decimate_quadric_only(const std::vector<SourcePart> &part
     om::DecimaterT<Mesh> decimater(surface.mesh);
     om::ModQuadricT<Mesh>::Handle quadric;
     om::ModHandleT<ModFollow<Mesh>> follow;
-    decimater.add(quadric);
-    decimater.add(follow);
+    add_module(decimater, quadric);
+    add_module(decimater, follow);
     decimater.module(quadric).unset_max_err();
     decimater.module(follow).configure(&surface);
     if (!decimater.initialize()) base::fail(CLQ_ARGUMENT, "part '%s' cannot be decimated", parts[0].part->name.c_str());
