@@ -34,7 +34,7 @@ struct Plane {
 class AreaBuilder
 {
 public:
-    static constexpr size_t most_points = 10000;  // of a polygon, as filling it takes their square in time
+    static constexpr size_t most_points = 10000;  // of a polygon: edges at one place are compared with each other
 
     // Rings in any direction, with or without their first point repeated at the end. Rings that enclose nothing are
     // left out with a warning. Throws base::Error: CLQ_FORMAT if rings cross or a hole is not in the polygon,

@@ -1,24 +1,10 @@
 // The outline of a polygon as one ring: its holes are joined with the outside.
 #pragma once
 
-#include "lib/asset/areas/area.h"
+#include "lib/asset/areas/box_tree.h"
 
 namespace claque::asset
 {
-
-// Positive: c lies left of the way from a to b.
-inline double side(const Point &a, const Point &b, const Point &c)
-{
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-inline bool same(const Point &a, const Point &b) { return a.x == b.x && a.y == b.y; }
-
-// With its edges, and what is nearer to them than 0; the triangle is counter-clockwise.
-inline bool holds(const Point &a, const Point &b, const Point &c, const Point &p, double nearness)
-{
-    return side(a, b, p) >= nearness && side(b, c, p) >= nearness && side(c, a, p) >= nearness;
-}
 
 class Outline
 {
@@ -26,10 +12,12 @@ public:
     explicit Outline(const std::vector<Ring> &rings);
 
 protected:
-    // Bridges make two corners of a point.
+    static constexpr uint32_t nowhere = 0xffffffffu;
+
+    // Bridges make more corners of a point; the first one has its number.
     struct Corner {
         Point at;
-        uint32_t point = 0, before = 0, after = 0;
+        uint32_t point = 0, before = 0, after = 0, next_of_point = nowhere;
     };
 
     const Corner &before(uint32_t c) const { return corners_[corners_[c].before]; }
@@ -42,17 +30,29 @@ protected:
     bool joined_ = true;
 
 private:
-    uint32_t add_ring(const Ring &ring, uint32_t point);
-    bool leads_inside(uint32_t c, const Point &other) const;
+    // An edge of a ring, before bridges. The inside is on its left.
+    struct Edge {
+        Point from, to;
+        double left_of_it(const Point &p) const { return side(from, to, p); }
+        const Point &left() const { return before_in_x(from, to) ? from : to; }
+        const Point &right() const { return before_in_x(from, to) ? to : from; }
+        double y_at(double x) const;
+        // Between the places where both begin and x.
+        bool lies_below(const Edge &other, double x) const;
+    };
+
+    uint32_t add_ring(const Ring &ring);
+    void take_ring(uint32_t first);
+    double depth(uint32_t c, const Point &other) const;
     uint32_t corner_at(const Point &place, const Point &onward) const;
     uint32_t bridge_of(uint32_t hole) const;
-    uint32_t nearest_in_sight(uint32_t best, const Point &h, double reached) const;
-    bool sector_holds(uint32_t m, uint32_t p) const;
+    uint32_t nearest_between(const Edge &floor, const Edge &ceiling, const Point &h) const;
     bool join_where_it_touches(uint32_t hole);
     bool join(uint32_t hole, uint32_t bridge);
 
     Point origin_;
-    std::vector<Point> places_;  // of all corners of the rings
+    std::vector<Edge> edges_;         // that begin at the points
+    BoxTree edge_tree_, point_tree_;  // of the rings that are joined
     double size_ = 0;
 };
 

@@ -9,7 +9,7 @@ namespace claque::asset
 {
 
 // What is wrong with rings, the first of which is the outside: "" or the end of a sentence about a polygon. Rings may
-// touch. Edges are compared where their boxes meet in x.
+// touch.
 std::string fault_of(const std::vector<Ring> &rings);
 
 }  // namespace claque::asset

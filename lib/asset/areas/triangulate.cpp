@@ -11,6 +11,18 @@ namespace claque::asset
 namespace
 {
 
+// With its edges, and what is nearer to them than 0; the triangle is counter-clockwise.
+bool holds(const Point &a, const Point &b, const Point &c, const Point &p, double nearness)
+{
+    return side(a, b, p) >= nearness && side(b, c, p) >= nearness && side(c, a, p) >= nearness;
+}
+
+// Whether a point of the box may be held.
+bool may_hold(const Point &a, const Point &b, const Point &c, const Box &box, double nearness)
+{
+    return box.most_left(a, b) >= nearness && box.most_left(b, c) >= nearness && box.most_left(c, a) >= nearness;
+}
+
 class EarClipper : Outline
 {
 public:
@@ -22,7 +34,10 @@ public:
     bool clip()
     {
         if (!joined_) return false;
-        known_.resize(corners_.size());
+        std::vector<Box> places;
+        for (const Corner &corner : corners_) places.push_back({corner.at, corner.at});
+        places_ = BoxTree(places);
+        last_try_.resize(corners_.size());
         left_ = static_cast<uint32_t>(corners_.size());
         for (uint32_t i = left_; i > 0; --i) at_ = corners_[settle(at_)].after;
         // A corner that goes may have hidden ears elsewhere, so there is a second round. Points that lie on a cut but
@@ -50,20 +65,17 @@ private:
     {
         const Point &a = before(c).at, &b = corners_[c].at, &d = after(c).at;
         if (!(side(a, b, d) > tiny_)) return false;
-        const double low_x = std::min({a.x, b.x, d.x}), high_x = std::max({a.x, b.x, d.x});
-        const double low_y = std::min({a.y, b.y, d.y}), high_y = std::max({a.y, b.y, d.y});
-        for (uint32_t p = corners_[corners_[c].after].after; p != corners_[c].before; p = corners_[p].after) {
+        Box ear = box_of(a, d);
+        ear.add(b);
+        const auto may_hide = [&](const Box &box) { return box.meets(ear) && may_hold(a, b, d, box, -4 * tiny_); };
+        return !places_.any(b, may_hide, [&](uint32_t p) {
+            if (p == c || p == corners_[c].before || p == corners_[c].after) return false;
             const Point &at = corners_[p].at;
-            if (at.x < low_x || at.x > high_x || at.y < low_y || at.y > high_y) continue;
             // A corner at an end of the cut does not hide it; one at the tip does, if its edges cross the cut.
-            if (same(at, a) || same(at, d)) continue;
-            if (same(at, b)) {
-                if (in_angle(c, before(p).at) || in_angle(c, after(p).at)) return false;
-                continue;
-            }
-            if (turn(p) <= tiny_ && holds(a, b, d, at, nearness)) return false;
-        }
-        return true;
+            if (same(at, a) || same(at, d)) return false;
+            if (same(at, b)) return in_angle(c, before(p).at) || in_angle(c, after(p).at);
+            return turn(p) <= tiny_ && holds(a, b, d, at, nearness);
+        });
     }
 
     // Drops a corner and its neighbours while they are flat. Gives one that stays.
@@ -82,30 +94,32 @@ private:
     {
         corners_[corners_[c].before].after = corners_[c].after;
         corners_[corners_[c].after].before = corners_[c].before;
-        known_[corners_[c].before] = known_[corners_[c].after] = false;
         if (at_ == c) at_ = corners_[c].after;
+        places_.set(c, {});
+        last_try_[c] = nowhere;
+        try_later(corners_[c].before), try_later(corners_[c].after);
         --left_;
     }
 
-    // Clips ears until a whole way round finds none.
+    void try_later(uint32_t c)
+    {
+        last_try_[c] = static_cast<uint32_t>(tries_.size());
+        tries_.push_back(c);
+    }
+
+    // Clips ears until there are none but those that a corner hid which has gone.
     void clip_round(double nearness)
     {
-        known_.assign(corners_.size(), false);
-        uint32_t c = at_;
-        for (uint32_t tried = 0; left_ > 3 && tried < left_;) {
-            if (known_[c] || !is_ear(c, nearness)) {
-                known_[c] = true;
-                c = corners_[c].after, ++tried;
-                continue;
-            }
+        tries_.clear();
+        for (uint32_t i = left_, c = at_; i > 0; --i, c = corners_[c].after) try_later(c);
+        for (uint32_t i = 0; i < tries_.size() && left_ > 3; ++i) {
+            const uint32_t c = tries_[i];
+            if (last_try_[c] != i || !is_ear(c, nearness)) continue;
             emit(c);
             const uint32_t back = corners_[c].before;
             drop(c);
-            tried = 0;
-            // Beginning elsewhere gives less slender triangles.
-            c = corners_[corners_[settle(back)].after].after;
+            settle(back);
         }
-        at_ = c;
     }
 
     void emit(uint32_t c)
@@ -116,7 +130,9 @@ private:
 
     uint32_t first_;
     std::vector<uint32_t> &out_;
-    std::vector<bool> known_;  // not an ear, and no neighbour has changed since
+    BoxTree places_;  // of the corners that are left
+    // Corners to be tried. Those with a new neighbour come last: beginning elsewhere gives less slender triangles.
+    std::vector<uint32_t> tries_, last_try_;
     uint32_t left_ = 0;
 };
 

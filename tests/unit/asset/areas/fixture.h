@@ -79,7 +79,8 @@ inline void expect_filled(const asset::Area &area)
                   0);
     for (int i = 0; i < 1000; ++i) {
         // A grid that turns, so that no place lies on an edge.
-        const double u = std::fmod(0.123 + i * 0.7548776662466927, 1), v = std::fmod(0.377 + i * 0.5698402909980532, 1);
+        const double u = std::fmod(0.1230917 + i * 0.7548776662466927, 1),
+                     v = std::fmod(0.3771283 + i * 0.5698402909980532, 1);
         const double x = low[0] + u * (high[0] - low[0]), y = low[1] + v * (high[1] - low[1]);
         EXPECT_EQ(triangles_at(area, x, y), in_rings(area, x, y) ? 1u : 0u) << x << ", " << y;
     }
