@@ -42,6 +42,7 @@ std::string crossing(const std::vector<Ring> &rings)
 {
     std::vector<Edge> edges;
     for (const Ring &ring : rings) add_edges(ring, edges);
+    if (edges.size() < 4) return "";
     std::vector<Point> middles;
     for (const Edge &edge : edges) middles.push_back(edge.box().middle());
     BoxTree before(middles);

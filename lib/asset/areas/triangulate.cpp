@@ -36,7 +36,7 @@ public:
         if (!joined_) return false;
         std::vector<Box> places;
         for (const Corner &corner : corners_) places.push_back({corner.at, corner.at});
-        places_ = BoxTree(places);
+        if (places.size() > 3) places_ = BoxTree(places);  // most polygons of a mesh are triangles
         last_try_.resize(corners_.size());
         left_ = static_cast<uint32_t>(corners_.size());
         for (uint32_t i = left_; i > 0; --i) at_ = corners_[settle(at_)].after;
