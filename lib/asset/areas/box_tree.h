@@ -1,4 +1,4 @@
-// Boxes in a binary tree: who asks for those at a place looks at few others.
+// Boxes in a binary tree, so that a search for those at a place looks at few others.
 #pragma once
 
 #include <cstdint>
