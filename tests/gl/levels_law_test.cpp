@@ -32,6 +32,7 @@ TEST_P(LevelsLaw, HoldsOnTheBuiltInFigures)
     const uint32_t cameras = hold(GetParam().target, made(GetParam().name), GetParam().texture_px, 9);
     if (IsSkipped()) return;
     EXPECT_GE(cameras, 84u) << "twelve of these make a thousand";
+    EXPECT_GE(flat_levels_, 4u) << "of 60, 42, 30, 20 and 14 triangles";
 }
 
 // Each size of textures in each context and format.

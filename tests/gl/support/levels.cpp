@@ -30,6 +30,11 @@ void LevelsTest::make_context(const Target &target)
     std::string why;
     context_ = contexts::make_offscreen(target.kind, 96, 72, target.format, why);
     if (!context_) END_WITHOUT_CONTEXT(target.kind, why);
+    spy_.reset();  // there is one at a time
+    spy_ = std::make_unique<Spy>(*context_);
+    spy_->watch = [this](const std::string &name, const std::vector<double> &arguments) {
+        flat_calls_ += name == "glShadeModel" && arguments[0] == double(claque::passes::gl::flat);
+    };
 }
 
 uint32_t LevelsTest::hold(const Target &target, model::Model character, uint32_t texture_px, uint32_t cameras_a_level)
@@ -77,7 +82,7 @@ void LevelsTest::hold_level(PosedModel &posed, SourceImages &images, uint32_t le
         passes::RendererOptions options;
         options.strategy = strategy;
         renderers.push_back(std::make_unique<passes::Renderer>(std::pmr::get_default_resource(), options));
-        ASSERT_TRUE(renderers.back()->open(context_->get_proc_address(), context_->user()).ok());
+        ASSERT_TRUE(renderers.back()->open(Spy::get_proc_address, spy_->user()).ok());
         const auto prepared = renderers.back()->prepare(*posed.tmpl);
         ASSERT_TRUE(prepared.ok()) << prepared.text;
     }
@@ -85,6 +90,7 @@ void LevelsTest::hold_level(PosedModel &posed, SourceImages &images, uint32_t le
     for (uint32_t set = 0; set < posed.tmpl->texture_set_count(); ++set)
         looks.push_back(std::make_unique<SourceLook>(*context_, images, *posed.tmpl, colours.data(), set));
     const uint64_t covered_before = covered_;
+    bool is_flat = true;
     for (uint32_t i = 0; i < cameras; ++i) {
         posed.texture_set = i % static_cast<uint32_t>(looks.size());
         const Camera camera = drawn_by_lot(posed, 1000 * level + i, aspect);
@@ -96,13 +102,16 @@ void LevelsTest::hold_level(PosedModel &posed, SourceImages &images, uint32_t le
         const Comparison itself = compare(plain, plain, forwards, backwards);
         covered_ += itself.covered, ties_ += itself.ties;
         for (size_t k = 0; k < renderers.size(); ++k) {
+            flat_calls_ = 0;
             const Picture coloured = draw(*context_, *renderers[k], list_of(posed, camera, colours.data()));
+            is_flat = is_flat && flat_calls_ > 0;
             const Comparison c = compare(plain, coloured, forwards, backwards);
             EXPECT_EQ(c.wrong + c.holes, 0u) << "strategy " << k << ", camera " << i << ", set " << posed.texture_set
                                              << ": of " << c.covered << " pixels";
         }
     }
     for (const auto &renderer : renderers) renderer->destroy();
+    flat_levels_ += is_flat;
     EXPECT_GT(covered_ - covered_before, 20 * uint64_t(cameras)) << "the cameras see too little of the character";
 }
 

@@ -5,6 +5,7 @@
 
 #include "tests/gl/support/law.h"
 #include "tests/gl/support/source_zones.h"
+#include "tests/gl/support/spy.h"
 
 namespace gltest
 {
@@ -18,6 +19,7 @@ protected:
     // where the context is absent.
     uint32_t hold(const Target &target, model::Model character, uint32_t texture_px, uint32_t cameras_a_level);
 
+    uint32_t flat_levels_ = 0;       // levels that each draw of them drew GL_FLAT
     double most_ties_share_ = 1e-4;  // largest fraction of covered pixels that may tie in depth
 
 private:
@@ -25,6 +27,8 @@ private:
     void hold_level(PosedModel &posed, SourceImages &images, uint32_t level, uint32_t cameras);
 
     std::unique_ptr<contexts::Offscreen> context_;
+    std::unique_ptr<Spy> spy_;
+    uint32_t flat_calls_ = 0;  // glShadeModel(GL_FLAT) since it was last set to 0
     uint64_t covered_ = 0, ties_ = 0;
 };
 
