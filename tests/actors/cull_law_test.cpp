@@ -271,6 +271,6 @@ TEST(CullLaw, NoPhaseLosesARobotOrOneOfItsParts)
     crowds.group();
     const double share = hold(crowds, Phase::sklsroot);
     RecordProperty("share", std::to_string(share));
-    EXPECT_GT(share, 0.6);
+    EXPECT_GT(share, 0.98);
     hold(crowds, Phase::part);
 }

@@ -38,8 +38,8 @@ void expect_held_and_snug(const figures::Builtin &builtin, Moves moves)
     const double radius = double(tmpl->sklsroot.radius), found = found_reach(*tmpl, centre);
     ::testing::Test::RecordProperty(builtin.name, std::to_string(radius / found));
     EXPECT_GE(radius, found);
-    EXPECT_LE(radius, 1.10 * found);
-    EXPECT_LT(0.88 * radius, found) << "the test would not notice too small a sphere";
+    EXPECT_LE(radius, 1.04 * found);
+    EXPECT_LT(0.96 * radius, found) << "the test would not notice too small a sphere";
     const Sampled sampled = sample_reach(*tmpl, centre, 30000);
     EXPECT_LE(sampled.vertex, radius);
     for (size_t n = 0; n < sampled.node.size(); ++n)
