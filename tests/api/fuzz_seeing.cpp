@@ -78,13 +78,40 @@ void World::update()
     EXPECT_EQ(clq_crowd_get_hash(crowd_), print) << "an update must not change what a host has set";
     if (!done) return;
     if (options_.records) step_hashes_.push_back(print);
+    expect_kept_budgets();
     for (uint32_t v = 0; v < asked; ++v) {
         clq_view_stats stats = clq_view_stats_init();
         ASSERT_EQ(clq_view_get_stats(views[v], &stats), CLQ_OK);
         EXPECT_LE(stats.visible, known_.actors.size());
+        expect_format(views[v], stats.visible);
         const uint64_t hash = clq_view_get_hash(views[v]);
         EXPECT_EQ(clq_view_get_hash(views[v]), hash) << "seed " << seed_ << ", step " << step_;
     }
+}
+
+// What an update may renew and keep.
+void World::expect_kept_budgets()
+{
+    clq_crowd_stats stats = clq_crowd_stats_init();
+    ASSERT_EQ(clq_crowd_get_stats(crowd_, &stats), CLQ_OK);
+    EXPECT_EQ(stats.due, stats.animated + stats.deferred) << "seed " << seed_ << ", step " << step_;
+    clq_key_pose_stats keys = clq_key_pose_stats_init();
+    ASSERT_EQ(clq_crowd_get_key_pose_stats(crowd_, &keys), CLQ_OK);
+    EXPECT_LE(keys.served, keys.requested) << "seed " << seed_ << ", step " << step_;
+    if (key_pose_bytes_ > 0) {
+        EXPECT_LE(keys.bytes, key_pose_bytes_) << "seed " << seed_ << ", step " << step_;
+    }
+    deferred_ += stats.deferred, key_posed_ += keys.requested;
+}
+
+// Vertices are in the crowd's format, or left out.
+void World::expect_format(const clq_view *view, uint32_t visible)
+{
+    if (visible == 0) return;
+    clq_drawn_arrays arrays = clq_drawn_arrays_init();
+    ASSERT_EQ(clq_view_get_arrays(view, random_.below(visible), &arrays), CLQ_OK) << clq_last_error();
+    EXPECT_TRUE(is_packed_ ? !arrays.positions : !arrays.packed_positions) << "seed " << seed_ << ", step " << step_;
+    packed_ += arrays.packed_positions != nullptr;
 }
 
 void World::ask()

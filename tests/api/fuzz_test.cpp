@@ -17,7 +17,7 @@ void fail_now_and_then(uint64_t bits)
 
 TEST(Fuzz, CallsAtRandomKeepToTheLaws)
 {
-    uint32_t good = 0, bad = 0, drawn = 0, picked = 0;
+    uint32_t good = 0, bad = 0, drawn = 0, picked = 0, deferred = 0, key_posed = 0, packed = 0;
     for (uint64_t seed = 1; seed <= 22 && !HasFailure(); ++seed) {
         fuzz::Options options;
         options.steps = 4000;
@@ -25,11 +25,15 @@ TEST(Fuzz, CallsAtRandomKeepToTheLaws)
         world.run();
         good += world.good(), bad += world.bad(), drawn += world.drawn();
         picked += world.picked();
+        deferred += world.deferred(), key_posed += world.key_posed(), packed += world.packed();
     }
     EXPECT_GT(good, 40000u);
     EXPECT_GT(bad, 15000u);
     EXPECT_GT(drawn, 5000u);
     EXPECT_GT(picked, 15u);
+    EXPECT_GT(deferred, 500u);
+    EXPECT_GT(key_posed, 5000u);
+    EXPECT_GT(packed, 1000u);
 }
 
 TEST(Fuzz, CallsAtRandomAreMadeAgainByTheirRecord)

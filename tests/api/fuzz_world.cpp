@@ -46,6 +46,10 @@ World::World(uint64_t seed, const Options &options)
     def.rigid_mode = static_cast<clq_rigid_mode>(random_.one_in(2));
     def.lod_hysteresis = random_.one_in(2) ? 0.3f : 0;
     def.lod_scale = static_cast<float>(random_.in(0, 2));
+    def.vertex_format = static_cast<clq_vertex_format>(random_.below(2));
+    def.key_poses = any_key_poses();
+    if (!random_.one_in(3)) live(def);
+    is_packed_ = def.vertex_format == CLQ_VERTEX_PACKED;
     crowd_ = test_world_.new_crowd(&def);
     stranger_ = test_world_.new_crowd();
     test_world_.set_up(stranger_);
@@ -59,6 +63,35 @@ World::~World()
     stub_gl::expect_balance();
     clq_template_destroy(templates_[2]);
     clq_template_destroy(templates_[3]);
+}
+
+// A clock that never goes back; with a budget where the crowd keeps poses.
+void World::live(clq_crowd_def &def)
+{
+    def.clock = CLQ_CLOCK_LIVE;
+    if (def.cache == CLQ_CACHE_NONE || def.cull == CLQ_CULL_TRADITIONAL) return;
+    def.update_budget = random_.below(5);
+    if (!random_.one_in(3)) return;
+    def.update_budget_ms = static_cast<float>(random_.in(0, 5));
+    def.now_user = &now_s_;
+    def.now_s = [](void *user) { return *static_cast<double *>(user) += 1e-3; };
+}
+
+clq_key_poses World::any_key_poses()
+{
+    clq_key_poses out = clq_key_poses_init();
+    out.band_count = random_.below(CLQ_KEY_POSE_BAND_MAX + 1);
+    float from_m = random_.one_in(2) ? 0.0f : static_cast<float>(random_.in(1, 5));
+    for (uint32_t i = 0; i < out.band_count; ++i) {
+        out.bands[i] = {from_m, static_cast<clq_key_pose_mode>(random_.below(4))};
+        from_m += static_cast<float>(random_.in(1, 20));
+    }
+    out.rate_hz = static_cast<float>(random_.in(0.5, 120));
+    const uint32_t kept[] = {0, 1, 5, 256};
+    out.max_kept = kept[random_.below(4)];
+    const uint64_t budgets[] = {0, 1, 3000, 200000};
+    out.budget_bytes = key_pose_bytes_ = budgets[random_.below(4)];
+    return out;
 }
 
 void World::run()

@@ -83,6 +83,10 @@ public:
     uint32_t bad() const { return bad_; }
     uint32_t drawn() const { return drawn_; }  // individuals
     uint32_t picked() const { return picked_; }
+    // Of all updates: poses that a budget let wait, actors that showed key-poses, individuals in packed vertices.
+    uint32_t deferred() const { return deferred_; }
+    uint32_t key_posed() const { return key_posed_; }
+    uint32_t packed() const { return packed_; }
 
 private:
     using Step = void (World::*)();
@@ -137,6 +141,8 @@ private:
     void end_view();
     void look();
     void update();
+    void expect_kept_budgets();
+    void expect_format(const clq_view *view, uint32_t visible);
     void ask();
     void save();
     void restore();
@@ -166,6 +172,8 @@ private:
     clq_transform any_place();
     clq_dof_pose any_shape();
     void new_renderer();
+    void live(clq_crowd_def &def);
+    clq_key_poses any_key_poses();
     void leave(clq_group group);
 
     uint32_t gaits_ = 0, masks_ = 0;
@@ -186,8 +194,10 @@ private:
     std::vector<uint64_t> step_hashes_;  // of the recorded crowd, at each update
     clq_dof_value values_[64];
     uint32_t used_values_ = 0;
-    double time_s_ = 0;
-    uint32_t good_ = 0, bad_ = 0, drawn_ = 0, picked_ = 0, step_ = 0;
+    double time_s_ = 0, now_s_ = 0;
+    uint64_t key_pose_bytes_ = 0;
+    bool is_packed_ = false;
+    uint32_t good_ = 0, bad_ = 0, drawn_ = 0, picked_ = 0, deferred_ = 0, key_posed_ = 0, packed_ = 0, step_ = 0;
     uint64_t seed_;
 };
 
