@@ -3,6 +3,7 @@
 #include <array>
 #include <map>
 
+#include "tests/api/small_template.h"
 #include "tests/parity/mutation.h"
 
 namespace parity
@@ -62,6 +63,18 @@ protected:
         scenes::check(clq_actor_set_colours(crowd(), actor, rgb.data(), info.zone_count));
     }
 
+    // The vertices of `a`, and of one actor those of `b`, which has the same actors with as many vertices.
+    static Capture vertices_with_one_of(const Capture &a, const Capture &b, clq_actor actor)
+    {
+        Capture out = vertices_of(a);
+        for (const Actor &one : *a.actors) {
+            if (one.id != actor.index1) continue;
+            for (size_t k = 3 * one.first_vertex; k < 3 * (one.first_vertex + one.vertex_count); ++k)
+                (*out.positions)[k] = (*b.positions)[k], (*out.normals)[k] = (*b.normals)[k];
+        }
+        return out;
+    }
+
     Capture before_;
     std::map<uint32_t, std::vector<float>> first_;  // colours before, by actor
 };
@@ -98,6 +111,92 @@ TEST_F(FarMutation, OtherColoursAreCaughtByPicturesNearAndFar)
         expect_broken(broken(pictures_of(before_), pictures_of(after)), "colour.worst_zone");
         expect_broken(broken(before_, colours_of(after)), "colour.worst_zone");
         tint(actor, 0);
+    }
+}
+
+TEST_F(FarMutation, AMissingIndividualIsCaughtNearAndFar)
+{
+    for (const clq_actor actor : both()) {
+        const Capture before = capture();
+        scenes::check(clq_actor_destroy(crowd(), actor));
+        const Capture after = capture();
+        expect_broken(broken(vertices_of(before), vertices_of(after)), "actors.missing is 1");
+        expect_broken(broken(pictures_of(before), pictures_of(after)), "actor_ids.outside");
+        expect_broken(broken(before, colours_of(after)), "colour.worst_zone");
+    }
+}
+
+TEST_F(FarMutation, AnotherLevelOfDetailIsCaughtNearAndFar)
+{
+    for (const clq_actor actor : both()) {
+        const uint32_t level = info_of(actor).level;
+        scenes::check(clq_actor_set_priority(crowd(), actor, 0.9f));
+        const Capture after = capture();
+        ASSERT_NE(info_of(actor).level, level);
+        expect_broken(broken(vertices_of(before_), vertices_of(after)), "actors.changed is 1");
+        expect_broken(broken(pictures_of(before_), pictures_of(after)), "actor_ids.outside");
+        expect_broken(broken(before_, colours_of(after)), "colour.worst_zone");
+        scenes::check(clq_actor_set_priority(crowd(), actor, 0));
+    }
+}
+
+// The two zones of an individual that most pixels show, in the id maps alone and in colours alone.
+TEST_F(FarMutation, TwoZonesSwappedAreCaughtNearAndFar)
+{
+    for (const clq_actor actor : both()) {
+        Capture after = before_;
+        const uint32_t first = static_cast<uint32_t>(widest_zone(before_, actor)) + 1;
+        for (size_t i = 0; i < after.zone->values.size(); ++i)
+            if (after.actor->values[i] == actor.index1 && after.zone->values[i] == first) after.actor->values[i] = 0;
+        const uint32_t second = static_cast<uint32_t>(widest_zone(after, actor)) + 1;
+        ASSERT_NE(first, second);
+        after.actor = before_.actor;
+        for (size_t i = 0; i < after.zone->values.size(); ++i) {
+            auto &zone = after.zone->values[i];
+            if (after.actor->values[i] != actor.index1 || (zone != first && zone != second)) continue;
+            zone = static_cast<std::remove_reference_t<decltype(zone)>>(first + second - zone);
+        }
+        expect_broken(broken(pictures_of(before_), pictures_of(after)), "zone_ids.worst_zone");
+    }
+}
+
+// Of one vertex of a strip, of which all of a parade are made, in one individual. The error is so small that vertices
+// stay in their order, and that far away no pixel changes.
+TEST_F(FarMutation, AWrongWeightIsCaughtByVerticesNearAndFar)
+{
+    scene_renderer_.reset();
+    options_.scene = "parade";
+    options_.crowd_options.count = 40;
+    std::vector<Capture> captures;
+    clq_actor near = {0, 0}, far = {0, 0};
+    for (const bool wrong : {false, true}) {
+        SmallTemplate strip;
+        std::vector<float> weights(strip.parts[0].weights, strip.parts[0].weights + 20);
+        if (wrong) weights[6] = 0.7f, weights[7] = 0.3f;  // row 1, which has 3 to 1
+        strip.parts[0].weights = weights.data();
+        clq_template *tmpl = nullptr;
+        scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
+        const scenes::Own<clq_template> held(tmpl);
+        options_.character.tmpl = tmpl;
+        make_scene_renderer();
+        captures.push_back(capture());
+        near = nearest(captures[0]);
+        far = near;
+        for (const clq_actor actor : scene_renderer_->scene().actors()) {
+            const size_t pixels = pixels_of(captures[0], actor);
+            if (pixels > 0 && pixels < pixels_of(captures[0], far)) far = actor;
+        }
+        scene_renderer_.reset();
+    }
+    EXPECT_GT(pixels_of(captures[0], near), 2000u);
+    EXPECT_LT(pixels_of(captures[0], far), 200u);
+    for (const clq_actor actor : {near, far}) {
+        const Capture after = vertices_with_one_of(captures[0], captures[1], actor);
+        expect_broken(broken(vertices_of(captures[0]), after), "positions.max_relative");
+        for (const Measure &measure : compare(vertices_of(captures[0]), after, 67).measures)
+            if (measure.name == "positions.max_m") {
+                EXPECT_LT(measure.value, 0.05) << "other vertices are compared";
+            }
     }
 }
 

@@ -2,6 +2,7 @@
 // the pixels that show a person.
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <unistd.h>
@@ -84,6 +85,26 @@ protected:
         return static_cast<double>(over) / static_cast<double>(covered);
     }
 
+    // Of the pixels that show a person in both, how many have another colour even if they were equally bright.
+    double share_of_other_hues()
+    {
+        const parity::Capture a = parity::read_capture(path("reference")), b = parity::read_capture(path("result"));
+        size_t shown = 0, other = 0;
+        for (size_t i = 0; i < a.actor->values.size(); ++i) {
+            if (a.actor->values[i] == 0 || b.actor->values[i] == 0) continue;
+            double product = 0, square_a = 0, square_b = 0;
+            for (size_t k = 3 * i; k < 3 * i + 3; ++k) {
+                product += double(a.colour->rgb[k]) * b.colour->rgb[k];
+                square_a += double(a.colour->rgb[k]) * a.colour->rgb[k];
+                square_b += double(b.colour->rgb[k]) * b.colour->rgb[k];
+            }
+            ++shown;
+            other += product < 0.99 * std::sqrt(square_a * square_b);  // as vectors, 8 degrees apart
+        }
+        EXPECT_GT(shown, 100u);
+        return static_cast<double>(other) / static_cast<double>(shown);
+    }
+
     void hold(const scenes::SceneOptions &options, double time_s, const PeerOptions &peer_options = {})
     {
         run(options, time_s, peer_options);
@@ -119,6 +140,20 @@ TEST_F(Parity, HoldsInTheOdeonFromNear)
 }
 
 TEST_F(Parity, HoldsForTenThousand) { hold(options_of("ten_thousand", 10000), 2); }
+
+// As the library draws by default, in a larger picture. The peer lights smoothly, and each triangle of a flat level has
+// one brightness: colours differ in that alone.
+TEST_F(Parity, HoldsForTenThousandInFlatLevelsButForTheirBrightness)
+{
+    scenes::SceneOptions options = options_of("ten_thousand", 10000);
+    options.flat_triangles = scenes::SceneOptions().flat_triangles;
+    options.width = 480, options.height = 360;
+    run(options, 2);
+    for (const parity::Check &check : verdict().checks)
+        EXPECT_TRUE(check.kept || check.measure.rfind("colour.", 0) == 0) << check.measure << " is " << check.value;
+    EXPECT_GT(share_over_2(), 0.5) << "no flat level was drawn";
+    EXPECT_LE(share_of_other_hues(), 0.001);
+}
 
 TEST_F(Parity, HoldsInHazeForRigidParts) { hold(options_of("town_sky", 300), 3); }
 
