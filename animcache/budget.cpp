@@ -30,7 +30,7 @@ bool Caches::can_wait(const Request &request, double time_s) const
 void Caches::defer(const PoseBudget &pose_budget)
 {
     pose_budget_ = pose_budget;
-    if (animate_.size() <= pose_budget.budget) return;
+    if (animate_.size() + without_room_ <= pose_budget.budget) return;
     waiting_.clear();
     for (uint32_t i = 0; i < animate_.size(); ++i) {
         const Request &request = requests_[animate_[i]];
@@ -39,9 +39,8 @@ void Caches::defer(const PoseBudget &pose_budget)
         const double age = pose_budget.time_s - entries_[request.slot].renewed_s;
         waiting_.push_back({(age + pose_budget.elapsed_s) / period, request.distance, request.row, i});
     }
-    const uint32_t cannot_wait = static_cast<uint32_t>(animate_.size() - waiting_.size());
+    const uint32_t cannot_wait = static_cast<uint32_t>(animate_.size() - waiting_.size()) + without_room_;
     const uint32_t left = pose_budget.budget > cannot_wait ? pose_budget.budget - cannot_wait : 0;
-    counters_.over_budget = cannot_wait > pose_budget.budget ? cannot_wait - pose_budget.budget : 0;
     std::sort(waiting_.begin(), waiting_.end(), [](const Waiting &a, const Waiting &b) {
         const bool a_urgent = a.periods > urgent_periods, b_urgent = b.periods > urgent_periods;
         if (a_urgent != b_urgent) return a_urgent;

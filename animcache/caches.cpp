@@ -125,6 +125,8 @@ void Caches::animate(const base::Jobs &jobs)
         });
     });
     counters_.animated = static_cast<uint32_t>(animate_.size());
+    if (settings_.can_defer && counters_.animated > pose_budget_.budget)
+        counters_.over_budget = counters_.animated - pose_budget_.budget;
     for (const uint32_t built : built_) counters_.matrices_built += built;
 }
 

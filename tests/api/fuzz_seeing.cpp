@@ -95,6 +95,9 @@ void World::expect_kept_budgets()
     clq_crowd_stats stats = clq_crowd_stats_init();
     ASSERT_EQ(clq_crowd_get_stats(crowd_, &stats), CLQ_OK);
     EXPECT_EQ(stats.due, stats.animated + stats.deferred) << "seed " << seed_ << ", step " << step_;
+    if (update_budget_ > 0) {
+        EXPECT_LE(stats.animated, update_budget_ + stats.over_budget) << "seed " << seed_ << ", step " << step_;
+    }
     clq_key_pose_stats keys = clq_key_pose_stats_init();
     ASSERT_EQ(clq_crowd_get_key_pose_stats(crowd_, &keys), CLQ_OK);
     EXPECT_LE(keys.served, keys.requested) << "seed " << seed_ << ", step " << step_;

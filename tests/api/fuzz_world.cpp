@@ -70,7 +70,7 @@ void World::live(clq_crowd_def &def)
 {
     def.clock = CLQ_CLOCK_LIVE;
     if (def.cache == CLQ_CACHE_NONE || def.cull == CLQ_CULL_TRADITIONAL) return;
-    def.update_budget = random_.below(5);
+    def.update_budget = update_budget_ = random_.below(5);
     if (!random_.one_in(3)) return;
     def.update_budget_ms = static_cast<float>(random_.in(0, 5));
     def.now_user = &now_s_;

@@ -196,6 +196,7 @@ private:
     uint32_t used_values_ = 0;
     double time_s_ = 0, now_s_ = 0;
     uint64_t key_pose_bytes_ = 0;
+    uint32_t update_budget_ = 0;  // 0: none
     bool is_packed_ = false;
     uint32_t good_ = 0, bad_ = 0, drawn_ = 0, picked_ = 0, deferred_ = 0, key_posed_ = 0, packed_ = 0, step_ = 0;
     uint64_t seed_;

@@ -227,6 +227,29 @@ TEST(BudgetLaw, AnActorWithoutAPoseGetsOneWhateverTheBudget)
     EXPECT_LE(scene.frame.stats().animated, 40u);
 }
 
+// Room for all palettes, for some, and for a few.
+TEST(BudgetLaw, PosesThatNoCacheKeepsAreEvaluatedFirst)
+{
+    constexpr uint32_t budget = 45;
+    SceneDef def = people(100, frame::Clock::live, budget);
+    uint32_t within = 0, beyond = 0;
+    for (const uint64_t bytes : {200000, 50000, 10000}) {
+        def.settings.caches.budget_bytes = bytes;
+        Scene scene(def);
+        scene.update(3);
+        for (int f = 1; f < 60; ++f) {
+            scene.update(3 + f * 0.1);
+            const frame::Stats &stats = scene.frame.stats();
+            EXPECT_EQ(stats.over_budget, stats.animated > budget ? stats.animated - budget : 0) << bytes;
+            EXPECT_EQ(stats.due, stats.animated + stats.deferred) << bytes;
+            EXPECT_TRUE(stats.animated == budget || stats.over_budget > 0) << bytes;
+            (stats.over_budget > 0 ? beyond : within) += stats.deferred;
+        }
+    }
+    EXPECT_GT(within, 300u);
+    EXPECT_GT(beyond, 300u);
+}
+
 TEST(BudgetLaw, NearActorsGoFirstAndWaitingActorsShowTheirLastTick)
 {
     constexpr uint32_t count = 200, budget = 10;
