@@ -87,7 +87,6 @@ std::vector<double> influence_costs(const std::vector<SourcePart> &parts, const 
 std::vector<Decimated> decimate(const std::vector<SourcePart> &parts, const DecimationOptions &options)
 {
     namespace om = OpenMesh::Decimater;
-    omerr().disable();
     WeldedSurface surface(parts);
     if (surface.mesh.n_faces() == 0) base::fail(CLQ_ARGUMENT, "%zu parts have no triangles to decimate", parts.size());
     if (options.targets.empty()) base::fail(CLQ_ARGUMENT, "a decimation has no target");

@@ -90,7 +90,6 @@ LevelTriangles level_triangles(const WeldedSurface &surface, const UvOrientation
 std::vector<Decimated> decimate_quadric_only(const std::vector<SourcePart> &parts, const std::vector<size_t> &targets)
 {
     namespace om = OpenMesh::Decimater;
-    omerr().disable();
     WeldedSurface surface(parts);
     if (surface.mesh.n_faces() == 0) base::fail(CLQ_ARGUMENT, "%zu parts have no triangles to decimate", parts.size());
     if (targets.empty()) base::fail(CLQ_ARGUMENT, "a decimation has no target");

@@ -4,6 +4,8 @@
 #include <set>
 #include <tuple>
 
+#include <OpenMesh/Core/System/omstream.hh>
+
 namespace claque::lod
 {
 
@@ -36,10 +38,15 @@ const std::vector<glm::vec3> &rest_of(const SourcePart &piece)
     return piece.rest ? *piece.rest : piece.part->positions;
 }
 
+// OpenMesh writes what it thinks of a mesh to stderr. The switch is one for the whole process, and several threads may
+// decimate at once.
+void silence_openmesh() { [[maybe_unused]] static const bool is_silent = (omerr().disable(), true); }
+
 }  // namespace
 
 WeldedSurface::WeldedSurface(const std::vector<SourcePart> &parts) : parts_(parts)
 {
+    silence_openmesh();
     first_.push_back(0);
     for (uint32_t i = 0; i < parts.size(); ++i) {
         first_.push_back(first_.back() + static_cast<uint32_t>(parts[i].part->positions.size()));
