@@ -71,6 +71,31 @@ TEST_F(BusyThreads, ReadersAndDrawersRunBesideTheWriterAndNeverRace)
     for (const Tried &one : tried) EXPECT_GT(one.done, 200u);
 }
 
+// A crowd's writer may change; where two meet, one is told.
+TEST_F(BusyThreads, WritersOnSeveralThreadsAreDoneOneAtATimeOrBusy)
+{
+    constexpr uint32_t writer_count = 3;
+    std::atomic<uint32_t> done{0}, busy{0}, updates{0};
+    std::vector<std::thread> threads;
+    for (uint32_t k = 0; k < writer_count; ++k)
+        threads.emplace_back([&, k] {
+            for (uint32_t round = 0; round < 20; ++round) {
+                for (const Call &call : busy::calls())
+                    if (repeats(call)) ++(call.run(objects_) == CLQ_BUSY ? busy : done);
+                const double time_s = 1 + 0.01 * round + 0.001 * k;
+                const clq_status status = clq_crowd_update(objects_.crowd, time_s, &objects_.view, 1);
+                EXPECT_TRUE(status == CLQ_OK || status == CLQ_BUSY) << clq_last_error();
+                updates += status == CLQ_OK;
+                std::this_thread::yield();
+            }
+        });
+    for (std::thread &thread : threads) thread.join();
+    EXPECT_GT(done, 0u);
+    EXPECT_GT(updates, 0u);
+    EXPECT_EQ(clq_crowd_update(objects_.crowd, 2, &objects_.view, 1), CLQ_OK) << clq_last_error();
+    EXPECT_EQ(clq_renderer_draw(objects_.renderer, objects_.view, nullptr), CLQ_OK) << clq_last_error();
+}
+
 TEST_F(BusyThreads, CrowdsOfOneContextAreMadeUsedAndEndedOnThreadsOfTheirOwn)
 {
     std::vector<std::thread> threads;

@@ -132,9 +132,14 @@ TEST_F(RecordsInParts, ArePlayedByThreadsSideBySide)
     const auto play = [&](uint64_t seed, std::vector<uint64_t> &out) {
         clq_crowd *crowd = nullptr;
         if (clq_crowd_create(world_.context, nullptr, &crowd) != CLQ_OK) return;
-        for (uint64_t i = 0; i < 40; ++i)
-            if (clq_record_play_step(parts.record, crowd, mixed(seed, i) % steps) == CLQ_OK)
-                out.push_back(clq_crowd_get_hash(crowd));
+        for (uint64_t i = 0; i < 40; ++i) {
+            const uint64_t step = mixed(seed, i) % steps;
+            clq_record_info info = clq_record_info_init();
+            double time_s = 0;
+            EXPECT_EQ(clq_record_get_info(parts.record, &info), CLQ_OK) << clq_last_error();
+            EXPECT_EQ(clq_record_get_time(parts.record, step, &time_s), CLQ_OK) << clq_last_error();
+            if (clq_record_play_step(parts.record, crowd, step) == CLQ_OK) out.push_back(clq_crowd_get_hash(crowd));
+        }
         clq_crowd_destroy(crowd);
     };
     std::vector<uint64_t> seen[3];
