@@ -15,7 +15,7 @@
 
 #include <sha256.h>
 
-#include "samples/cli/files.h"
+#include "samples/io/files.h"
 #include "samples/scenes/check.h"
 
 extern char **environ;
@@ -98,8 +98,15 @@ std::string sha256_of(const void *bytes, size_t size)
 
 std::string sha256_of_file(const std::string &path)
 {
-    const std::vector<unsigned char> bytes = read_file(path);
-    return sha256_of(bytes.data(), bytes.size());
+    SHA256_CTX sum;
+    SHA256_Init(&sum);
+    const std::string wrong = io::read_in_pieces(path, [&](const char *piece, size_t size) {
+        SHA256_Update(&sum, reinterpret_cast<const uint8_t *>(piece), size);
+    });
+    if (!wrong.empty()) throw scenes::Failure(wrong);
+    std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
+    SHA256_End(&sum, text.data());
+    return text.data();
 }
 
 void use_portable_drivers() { setenv(caps, portable_caps, 0); }

@@ -44,18 +44,23 @@ std::string why(const std::string &path, const char *doing)
     return path + " could not be " + doing + ": " + std::strerror(errno);
 }
 
-std::string read_whole(const std::string &path, std::string &bytes)
+std::string read_in_pieces(const std::string &path, const std::function<void(const char *piece, size_t size)> &take)
 {
     Descriptor file = {open(path.c_str(), O_RDONLY | O_CLOEXEC)};
     if (file.number < 0) return why(path, "opened");
-    bytes.clear();
     char piece[65536];
     while (true) {
         const ssize_t got = ::read(file.number, piece, sizeof piece);
         if (got == 0) return "";
-        if (got > 0) bytes.append(piece, static_cast<size_t>(got));
+        if (got > 0) take(piece, static_cast<size_t>(got));
         else if (errno != EINTR) return why(path, "read");
     }
+}
+
+std::string read_whole(const std::string &path, std::string &bytes)
+{
+    bytes.clear();
+    return read_in_pieces(path, [&](const char *piece, size_t size) { bytes.append(piece, size); });
 }
 
 std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes)

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/cli/running.h"
 
 namespace cli_test
 {
@@ -125,6 +126,25 @@ TEST_F(Film, FramesThatAreGoneOrWereChangedAreNamedAndDrawnAgain)
     EXPECT_EQ(Json::parse(file_text(path("r.json")))["skipped"], Json({0, 1, 3, 5}));
     EXPECT_EQ(pixels("jobs"), before);
     EXPECT_EQ(check("jobs").code, 0);
+}
+
+// A signal ends a process later the more memory it holds.
+TEST_F(Film, OfLargeFramesIsCheckedInLittleMemory)
+{
+    ASSERT_EQ(draw("film", {"--manifest", path("film") + "/film.json"}, "0:1").code, 0);
+    fs::resize_file(frame("film", 1), uintmax_t{700} << 20);
+    Running running({"frames", "check", path("film")});
+    const auto held_mb = [&] {
+        std::ifstream status("/proc/" + std::to_string(running.process()) + "/status");
+        for (std::string line; std::getline(status, line);)
+            if (line.rfind("VmRSS:", 0) == 0) return std::stoul(line.substr(6)) / 1024;
+        return 0ul;
+    };
+    ASSERT_TRUE(running.work_until(0.1, 60));
+    const unsigned long before = held_mb();
+    EXPECT_GT(before, 0u);
+    ASSERT_TRUE(running.work_until(0.6, 60));
+    EXPECT_LT(held_mb(), before + 16);
 }
 
 TEST_F(Film, OfDifferentScenesOrProcessorsIsRefused)
