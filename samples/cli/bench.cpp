@@ -7,6 +7,7 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/reader_law.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/cli/track_arguments.h"
 
@@ -81,6 +82,7 @@ void bench(const BenchArguments &a)
     else if (of_actors(a)) print_actors(report);
     else print_counts(report);
     if (of_processors && !a.json) std::cout << "\nTimes are of the processors, all threads together.\n";
+    if (is_of_readers(a)) readers::expect_lawful(report);
 }
 
 void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tracks)

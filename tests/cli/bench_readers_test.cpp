@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "samples/cli/reader_law.h"
 #include "tests/cli/run.h"
 
 namespace cli_test
@@ -79,6 +80,50 @@ TEST_F(BenchReaders, PrintALineForEachElement)
         EXPECT_NE(line.find(" " + run["bytes"].dump() + " "), std::string::npos) << line;
     }
     EXPECT_FALSE(std::getline(lines, line)) << line;
+}
+
+// What is said of times of reading, and of building from what was read.
+bool holds(const char *format, const char *element, double few_ms, double many_ms, double build_ms = 0)
+{
+    const cli::Reading few = {few_ms, few_ms}, many = {many_ms, build_ms};
+    return cli::readers::is_lawful(format, element, few, many);
+}
+
+TEST(LawOfReaders, AllowsSixteenTimesTheTimeForTenTimesTheElements)
+{
+    EXPECT_TRUE(holds("glTF", "nodes", 10, 160));
+    EXPECT_FALSE(holds("glTF", "nodes", 10, 161));
+    EXPECT_FALSE(holds("glTF", "nodes", 10, 30, 161)) << "what is built counts too";
+    EXPECT_TRUE(holds("glTF", "nodes", 0.01, 19.9)) << "too short to be measured";
+    EXPECT_FALSE(holds("glTF", "nodes", 0.01, 20));
+    EXPECT_EQ(cli::readers::ratio(0.01, 20), 20) << "a millisecond is the least that a tenth takes";
+    EXPECT_EQ(cli::readers::ratio(10, 160), 16);
+}
+
+TEST(LawOfReaders, AllowsMoreWhereTheCachesOfTheProcessorEnd)
+{
+    EXPECT_TRUE(holds("save", "layers", 10, 320));
+    EXPECT_FALSE(holds("save", "layers", 10, 321));
+    EXPECT_FALSE(holds("glTF", "layers", 10, 161));
+    EXPECT_FALSE(holds("save", "actors", 10, 161));
+    EXPECT_TRUE(holds("tracks", "attributes of SUMO", 10, 400));
+    EXPECT_FALSE(holds("tracks", "attributes of SUMO", 10, 401));
+}
+
+TEST(LawOfReaders, ABrokenOneFailsTheCommandAndIsNamed)
+{
+    const auto row = [](const char *element, bool lawful) {
+        return nlohmann::ordered_json{{"format", "area"}, {"element", element}, {"lawful", lawful}};
+    };
+    nlohmann::ordered_json report = {{"runs", nlohmann::ordered_json::array({row("points", true)})}};
+    EXPECT_NO_THROW(cli::readers::expect_lawful(report));
+    for (const char *element : {"holes", "obstacles"}) report["runs"].push_back(row(element, false));
+    try {
+        cli::readers::expect_lawful(report);
+        ADD_FAILURE() << "nothing was said";
+    } catch (const scenes::Failure &failure) {
+        EXPECT_STREQ(failure.what(), "ten times the elements take too many times the time: area holes, area obstacles");
+    }
 }
 
 }  // namespace

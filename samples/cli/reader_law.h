@@ -1,0 +1,57 @@
+// The law that `claque bench readers` judges by: ten times the elements take at most so many times the time.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "samples/cli/reader_files.h"
+#include "samples/scenes/check.h"
+
+namespace cli
+{
+namespace readers
+{
+
+// n log n, with room for what does not grow evenly.
+constexpr double most_ratio = 16;
+// Shorter times are of the clock's resolution and of caches that are still cold.
+constexpr double least_ms = 20;
+
+// Elements that are linear on either side of a step: a tenth of the limit fits into the caches of the processor, and
+// the limit does not. docs/measurements.md has the time of one element at five counts.
+struct Step {
+    const char *format, *element;
+    double most_ratio;
+};
+constexpr Step steps[] = {{"save", "layers", 32}, {"tracks", "attributes of SUMO", 40}};
+
+inline double most_ratio_of(const std::string &format, const std::string &element)
+{
+    for (const Step &step : steps)
+        if (format == step.format && element == step.element) return step.most_ratio;
+    return most_ratio;
+}
+
+inline double ratio(double few_ms, double many_ms) { return many_ms < least_ms ? 0 : many_ms / std::max(few_ms, 1.0); }
+
+inline bool is_lawful(const char *format, const char *element, const Reading &few, const Reading &many)
+{
+    return std::max(ratio(few.load_ms, many.load_ms), ratio(few.build_ms, many.build_ms)) <=
+           most_ratio_of(format, element);
+}
+
+// Throws scenes::Failure that names the rows that are not lawful.
+inline void expect_lawful(const nlohmann::ordered_json &report)
+{
+    std::string names;
+    for (const nlohmann::ordered_json &run : report.at("runs"))
+        if (!run.at("lawful").get<bool>())
+            names += (names.empty() ? "" : ", ") + run.at("format").get<std::string>() + " " +
+                     run.at("element").get<std::string>();
+    if (!names.empty()) throw scenes::Failure("ten times the elements take too many times the time: " + names);
+}
+
+}  // namespace readers
+}  // namespace cli
