@@ -94,6 +94,8 @@ TEST_F(NullArguments, ActorsRefuseThem)
     const clq_play play = clq_play_init();
     const clq_actor actor = objects_.actor;
     NEEDS(clq_actor_create, none, crowd(), &def, &made);
+    EXPECT_EQ(clq_actor_create(crowd(), nullptr, &made), CLQ_ARGUMENT);
+    EXPECT_NE(std::string(clq_last_error()).find("crowd, def or out is NULL"), std::string::npos) << clq_last_error();
     NEEDS(clq_actor_destroy, none, crowd(), actor);
     NEEDS(clq_actor_play, none, crowd(), actor, &play);
     NEEDS(clq_actor_set_colours, none, crowd(), actor, rgb, 2);

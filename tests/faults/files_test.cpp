@@ -13,6 +13,7 @@
 #include <functional>
 #include <map>
 #include <sstream>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 
@@ -224,6 +225,30 @@ TEST_F(FileFaults, OfTheCacheLeaveAWholeEntryOrNone)
                 });
     EXPECT_GT(tried_, 30u);
     std::printf("file faults: %llu\n", static_cast<unsigned long long>(tried_));
+}
+
+// Where a file system has no files without a name, parts have one that can be foreseen. Links of every second name are
+// planted: of two parts, one meets a link.
+TEST_F(FileFaults, OfAFileSystemWithoutNamelessFilesWriteThroughNoLink)
+{
+    ASSERT_EQ(prepare(nullptr), CLQ_OK) << clq_last_error();
+    const fs::path entry = fs::directory_iterator(folder_ / "cache")->path(), foreign = folder_ / "foreign";
+    std::ofstream(foreign) << "mine";
+    for (int number = 0; number < 20000; number += 2)
+        fs::create_symlink(foreign,
+                           entry.string() + "." + std::to_string(getpid()) + "-" + std::to_string(number) + ".part");
+    for (int i = 0; i < 2; ++i) {
+        fs::remove(entry);
+        clq_prepare_report report = clq_prepare_report_init();
+        failing_files::arm(folder_.string(), {Operation::open, ~uint64_t(0), How::none, 0, true});
+        EXPECT_EQ(prepare(&report), CLQ_OK) << clq_last_error();
+        failing_files::disarm();
+        EXPECT_TRUE(report.stored) << report.text;
+        EXPECT_FALSE(fs::is_symlink(entry));
+    }
+    std::stringstream text;
+    text << std::ifstream(foreign).rdbuf();
+    EXPECT_EQ(text.str(), "mine");
 }
 
 }  // namespace
