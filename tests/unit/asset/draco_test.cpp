@@ -16,18 +16,6 @@ namespace claque::testing
 namespace
 {
 
-TEST(Draco, ABuildWithoutTheDecoderNamesItAndWhatItHas)
-{
-    if (asset::has_decoder(asset::Decoder::draco)) GTEST_SKIP() << "this build has libdraco";
-    Maker maker;
-    maker.triangle();
-    maker.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
-    const Outcome outcome = outcome_of(maker.glb());
-    EXPECT_EQ(outcome.status, CLQ_UNSUPPORTED);
-    for (const char *word : {"KHR_draco_mesh_compression", "libdraco", "was built with"})
-        EXPECT_NE(outcome.text.find(word), std::string::npos) << outcome.text;
-}
-
 #ifdef CLAQUE_HAS_DRACO
 
 constexpr uint32_t across = 15, corners = across * across;

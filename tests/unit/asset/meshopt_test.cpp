@@ -10,18 +10,6 @@ namespace claque::testing
 namespace
 {
 
-TEST(Meshopt, ABuildWithoutTheDecoderNamesItAndWhatItHas)
-{
-    if (asset::has_decoder(asset::Decoder::meshopt)) GTEST_SKIP() << "this build has libmeshoptimizer";
-    Maker maker;
-    maker.triangle();
-    maker.json["extensionsRequired"] = {"EXT_meshopt_compression"};
-    const Outcome outcome = outcome_of(maker.glb());
-    EXPECT_EQ(outcome.status, CLQ_UNSUPPORTED);
-    for (const char *word : {"EXT_meshopt_compression", "libmeshoptimizer", "was built with"})
-        EXPECT_NE(outcome.text.find(word), std::string::npos) << outcome.text;
-}
-
 #ifdef CLAQUE_HAS_MESHOPT
 
 constexpr size_t side = 20;

@@ -24,15 +24,6 @@ Maker webp_textured(const Bytes &picture)
     return maker;
 }
 
-TEST(Webp, ABuildWithoutTheDecoderNamesItAndWhatItHas)
-{
-    if (asset::has_decoder(asset::Decoder::webp)) GTEST_SKIP() << "this build has libwebp";
-    const Outcome outcome = outcome_of(webp_textured({'R', 'I', 'F', 'F'}).glb());
-    EXPECT_EQ(outcome.status, CLQ_UNSUPPORTED);
-    for (const char *word : {"EXT_texture_webp", "libwebp", "was built with"})
-        EXPECT_NE(outcome.text.find(word), std::string::npos) << outcome.text;
-}
-
 #ifdef CLAQUE_HAS_WEBP
 
 constexpr uint32_t wide = 37, high = 21;
