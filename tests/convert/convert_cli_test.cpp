@@ -48,6 +48,23 @@ TEST_F(ConvertCommand, ACrashOfAssimpIsOneSentence)
     expect_refused(file_of("deep.gltf", deep), {"deep.gltf", "Assimp", "crashed", "SEGV"});
 }
 
+// A triangle in so many frames inside each other, as X files have them.
+std::string frames(int deep)
+{
+    std::string text = "xof 0303txt 0032\n";
+    for (int i = 0; i < deep; ++i) text += "Frame f" + std::to_string(i) + " {\n";
+    text += "Mesh m { 3; 0;0;0;, 1;0;0;, 0;1;0;; 1; 3;0,1,2;; }\n";
+    for (int i = 0; i < deep; ++i) text += "}\n";
+    return text;
+}
+
+TEST_F(ConvertCommand, NodesThatAreNestedTooDeepAreOneSentence)
+{
+    const Outcome done = claque({"convert", file_of("chain.x", frames(400)), "--out", path("chain.glb")});
+    EXPECT_EQ(done.code, 0) << done.err;
+    expect_refused(file_of("deep.x", frames(600)), {"deep.x", "its nodes are nested too deep"});
+}
+
 TEST_F(ConvertCommand, WhatIsNoModelIsRefusedByName)
 {
     expect_refused(file_of("notes.txt", "nothing"), {"notes.txt", "Assimp"});

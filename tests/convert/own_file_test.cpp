@@ -12,7 +12,8 @@ namespace convert_test
 namespace
 {
 
-// A bar of two joints; the upper one bends. Assimp needs the empty lines.
+// A bar of two joints; the upper one bends. One vertex lies off its axis, and goes by its weights. Assimp needs the
+// empty lines.
 constexpr const char *mesh = R"(MD5Version 10
 commandline ""
 numJoints 2
@@ -45,8 +46,8 @@ mesh {
 	weight 1 0 1 ( 1 0 0 )
 	weight 2 0 0.5 ( -1 0 4 )
 	weight 3 1 0.5 ( -1 0 0 )
-	weight 4 0 0.25 ( 1 0 4 )
-	weight 5 1 0.75 ( 1 0 0 )
+	weight 4 0 0.25 ( 1 0.5 4 )
+	weight 5 1 0.75 ( 1 0.5 0 )
 	weight 6 1 1 ( -1 0 4 )
 	weight 7 1 1 ( 1 0 4 )
 }

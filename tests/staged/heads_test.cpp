@@ -55,12 +55,21 @@ within_m = 0.0
 heading_deg = 0.0
 )";
 
-Scenario listening()
+const char guest[] = R"(
+machine = "speaker"
+[states.stands]
+initial = true
+transitions = [ { after = 2, to = "left" } ]
+[states.left]
+enter = [ { call = "leave" } ]
+)";
+
+Scenario listening(const char *other = speaker)
 {
     const std::string folder = testing::TempDir() + "claque_heads";
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/listener.toml") << listener;
-    std::ofstream(folder + "/speaker.toml") << speaker;
+    std::ofstream(folder + "/speaker.toml") << other;
     std::ofstream(folder + "/scenario.toml") << two_standing;
     return load_scenario(folder + "/scenario.toml");
 }
@@ -93,6 +102,21 @@ TEST(HeadsOfARun, AreHeldWhereTheyAreWithTheRestOfARun)
     EXPECT_EQ(head_deg(other, 0, 3.6), head_deg(run, 0, 3.6));
     EXPECT_NEAR(head_deg(other, 0, 4.0), 45, 12);
     EXPECT_NEAR(head_deg(other, 0, 5.9), 0, 12);
+}
+
+// No track ends here: who stands is away when it leaves, and not before.
+TEST(PeopleThatStand, AreNotSeenOnceTheyLeft)
+{
+    World world(listening(guest), 1, false);
+    const auto seen = [&](double time_s) {
+        world.show(time_s);
+        clq_view_stats stats = clq_view_stats_init();
+        check(clq_view_get_stats(world.view.get(), &stats));
+        return stats.visible;
+    };
+    EXPECT_EQ(seen(1.5), 2u);
+    EXPECT_EQ(seen(3.5), 1u);
+    EXPECT_EQ(world.run().counts().left, 1u);
 }
 
 }  // namespace

@@ -154,6 +154,17 @@ TEST(HostileTrajectories, GzipOfSeveralMembersIsReadAndOneThatEndsEarlyIsRefused
 
 #endif
 
+TEST(HostileTrajectories, JsonOfPathfinderInsideEachOtherWithoutEndIsRefused)
+{
+    std::string text = "{\"1\":{\"1.0\":";
+    for (int i = 0; i < 200000; ++i) text += "{\"position\":";
+    asset::TrajectoryOptions options;
+    options.format = CLQ_TRAJECTORY_PATHFINDER_JSON;
+    const Refusal refusal = refusal_of(bytes_of_text(text), options);
+    EXPECT_EQ(refusal.status, CLQ_LIMIT);
+    EXPECT_NE(refusal.text.find("nested more than 128 deep"), std::string::npos) << refusal.text;
+}
+
 #ifdef CLAQUE_HAS_EXPAT
 
 TEST(HostileTrajectories, EntitiesThatGrowAreRefused)
