@@ -56,7 +56,7 @@ struct CloseRival {
     const char *name;
     const Field *field;
     scenes::Own<clq_renderer> renderer;
-    Times draw;
+    Times draw = {};
     double first_ms = 0;
     clq_draw_stats first = clq_draw_stats_init(), last = clq_draw_stats_init();
 };

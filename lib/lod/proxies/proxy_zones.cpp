@@ -141,6 +141,7 @@ public:
             next.clear();
             for (const PartialAssignment &partial : partials)
                 for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
+                    if (!may_show(t, zone)) continue;
                     if (partial.area_fractions[zone] + areas_[t] > source_fractions_[zone] + zone_tolerance_ &&
                         zone != zone_cost_.cheapest(t))
                         continue;
@@ -184,6 +185,11 @@ private:
     struct Change {
         size_t triangle = 0, zone = 0;
     };
+    // No zone that the source does not show, where another is as near.
+    bool may_show(size_t triangle, size_t zone) const
+    {
+        return source_fractions_[zone] > 0 || zone == zone_cost_.cheapest(triangle);
+    }
     double excess_cost(size_t zone, double share) const
     {
         const double wanted = source_fractions_[zone],
@@ -223,7 +229,7 @@ private:
             if (std::any_of(changes_.begin(), changes_.end(), [t](const Change &c) { return c.triangle == t; }))
                 continue;
             for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
-                if (zone == was) continue;
+                if (zone == was || !may_show(t, zone)) continue;
                 if (areas_.size() > very_few && changes_.size() + at_once > 1 && was_off == 0 &&
                     excess_cost(zone, area_fractions_[zone]) == 0)
                     continue;

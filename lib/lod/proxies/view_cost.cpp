@@ -1,5 +1,7 @@
 #include "lib/lod/proxies/view_cost.h"
 
+#include <numeric>
+
 namespace claque::lod
 {
 
@@ -14,6 +16,7 @@ ViewCost::ViewCost(const ZonesInViews &views, size_t triangles, size_t zones, do
     const double each = views.source.empty() ? 0 : weight / double(views.source.size());
     for (size_t v = 0; v < views.source.size(); ++v) {
         const std::vector<double> &here = views.triangles[v], &there = views.source[v];
+        if (std::accumulate(there.begin(), there.end(), 0.0) == 0) continue;  // the back of what has one side
         for (size_t t = 0; t < triangles; ++t) {
             if (here[t] == 0) continue;
             for (size_t u = 0; u < triangles; ++u) products_[t * triangles + u] += each * here[t] * here[u];

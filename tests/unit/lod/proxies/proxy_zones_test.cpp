@@ -117,3 +117,19 @@ TEST(ProxyZones, ShowTheLargestZonesWhereAreaFractionsAllowIt)
         lod::assign_zones(one.model, one.level, one.level, one.zone_areas, {one.wanted});
     for (uint32_t t = 0; t < triangles; ++t) EXPECT_EQ(chosen[t], t < 4 ? 0u : 2u);
 }
+
+// Of three zones the source shows two; a triangle that stands for nothing costs nothing in any.
+TEST(ProxyZones, ShowNoZoneThatTheSourceLacks)
+{
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        Case one(seed);
+        for (uint32_t t = 0; t < triangles; ++t) one.zone_areas[t] = {{t % 2, one.areas[t]}};
+        one.wanted = {0.5, 0.5, 0, 0};
+        const std::vector<double> weights(triangles, 0);
+        lod::ZoneGoals goals{one.wanted};
+        goals.views.source = {{1, 0, 0, 0}, {0, 0, 0, 0}};
+        goals.views.triangles = {one.areas, one.areas};
+        for (const uint32_t zone : lod::assign_zones(one.model, one.level, one.level, one.zone_areas, goals, weights))
+            EXPECT_LT(zone, 2u) << seed;
+    }
+}

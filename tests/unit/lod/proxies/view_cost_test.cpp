@@ -87,3 +87,14 @@ TEST(ViewCost, IsNothingWithoutViews)
     EXPECT_EQ(cost.cost(), 0);
     EXPECT_EQ(cost.gain(3, 1, 2), 0);
 }
+
+// As from behind a surface with one side: zones of the level there are neither right nor wrong.
+TEST(ViewCost, IsNothingWhereTheSourceShowsNothing)
+{
+    lod::ZonesInViews all = random_views();
+    for (std::vector<double> &view : all.source) view.assign(zone_count, 0);
+    lod::ViewCost cost(all, triangle_count, zone_count, 1);
+    for (size_t t = 0; t < triangle_count; ++t) cost.set(t, lod::ViewCost::no_zone, t % zone_count);
+    EXPECT_EQ(cost.cost(), 0);
+    EXPECT_EQ(cost.gain(3, 3, 2), 0);
+}
