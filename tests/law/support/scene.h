@@ -17,6 +17,16 @@ struct SceneDef {
     std::pmr::memory_resource *memory = std::pmr::get_default_resource();
 };
 
+inline SceneDef people(uint32_t count, frame::Clock clock, uint32_t budget = 0)
+{
+    SceneDef def;
+    def.actors = count;
+    def.settings.clock = clock;
+    def.settings.update_budget = budget;
+    def.settings.caches.can_defer = budget > 0;
+    return def;
+}
+
 // Two templates, every clip, speeds forwards and backwards, colours of all three kinds, some mirrored; from 2 to 70 m
 // in front of an eye at the origin.
 class Scene
