@@ -3,7 +3,6 @@
 #include <array>
 #include <map>
 
-#include "tests/api/small_template.h"
 #include "tests/parity/mutation.h"
 
 namespace parity
@@ -170,16 +169,9 @@ TEST_F(FarMutation, AWrongWeightIsCaughtByVerticesNearAndFar)
     std::vector<Capture> captures;
     clq_actor near = {0, 0}, far = {0, 0};
     for (const bool wrong : {false, true}) {
-        SmallTemplate strip;
-        std::vector<float> weights(strip.parts[0].weights, strip.parts[0].weights + 20);
+        std::vector<float> weights = weights_of_strip();
         if (wrong) weights[6] = 0.7f, weights[7] = 0.3f;  // row 1, which has 3 to 1
-        strip.parts[0].weights = weights.data();
-        clq_template *tmpl = nullptr;
-        scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
-        const scenes::Own<clq_template> held(tmpl);
-        options_.character.tmpl = tmpl;
-        make_scene_renderer();
-        captures.push_back(capture());
+        captures.push_back(capture_of_strip(weights));
         near = nearest(captures[0]);
         far = near;
         for (const clq_actor actor : scene_renderer_->scene().actors()) {

@@ -10,6 +10,7 @@
 #include "samples/parity/compare.h"
 #include "samples/parity/verdict.h"
 #include "samples/parity/write/write.h"
+#include "tests/api/small_template.h"
 #include "tests/gl/support/absent.h"
 
 namespace parity
@@ -44,6 +45,23 @@ protected:
         write_result(*scene_renderer_, {options_.scene, mutation_moment_s, options_.width, options_.height},
                      folder_.string());
         return read_capture(folder_.string());
+    }
+    // Of a bending strip whose ten rows follow two joints with these weights.
+    Capture capture_of_strip(const std::vector<float> &weights)
+    {
+        SmallTemplate strip;
+        strip.parts[0].weights = weights.data();
+        clq_template *tmpl = nullptr;
+        scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
+        const scenes::Own<clq_template> held(tmpl);
+        options_.character.tmpl = tmpl;
+        make_scene_renderer();
+        return capture();
+    }
+    static std::vector<float> weights_of_strip()
+    {
+        const SmallTemplate strip;
+        return {strip.parts[0].weights, strip.parts[0].weights + 20};
     }
     clq_crowd *crowd() const { return scene_renderer_->scene().crowd(); }
     clq_actor_info info_of(clq_actor actor) const

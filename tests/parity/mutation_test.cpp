@@ -3,7 +3,6 @@
 // them.
 #include "tests/parity/mutation.h"
 
-#include "tests/api/small_template.h"
 
 namespace parity
 {
@@ -119,16 +118,9 @@ TEST_F(Mutation, AWeightDroppedIsCaught)
     options_.crowd_options.count = 1;
     std::vector<Capture> captures;
     for (const bool dropped : {false, true}) {
-        SmallTemplate strip;
-        std::vector<float> weights(strip.parts[0].weights, strip.parts[0].weights + 20);
+        std::vector<float> weights = weights_of_strip();
         if (dropped) weights[4] = 1, weights[5] = 0;  // row 1, which has 3 to 1
-        strip.parts[0].weights = weights.data();
-        clq_template *tmpl = nullptr;
-        scenes::check(clq_template_build(library_.context(), &strip.def, &tmpl));
-        const scenes::Own<clq_template> held(tmpl);
-        options_.character.tmpl = tmpl;
-        make_scene_renderer();
-        captures.push_back(capture());
+        captures.push_back(capture_of_strip(weights));
         scene_renderer_.reset();
     }
     ASSERT_GT(captures[0].actors->at(0).size_m, 1);

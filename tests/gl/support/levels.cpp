@@ -28,9 +28,9 @@ Camera drawn_by_lot(const PosedModel &posed, uint64_t seed, float aspect)
 void LevelsTest::make_context(const Target &target)
 {
     std::string why;
+    spy_.reset();  // it watches the context before
     context_ = contexts::make_offscreen(target.kind, 96, 72, target.format, why);
     if (!context_) END_WITHOUT_CONTEXT(target.kind, why);
-    spy_.reset();  // there is one at a time
     spy_ = std::make_unique<Spy>(*context_);
     spy_->watch = [this](const std::string &name, const std::vector<double> &arguments) {
         flat_calls_ += name == "glShadeModel" && arguments[0] == double(claque::passes::gl::flat);

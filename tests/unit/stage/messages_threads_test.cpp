@@ -22,10 +22,10 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
     StageWorld world;
     const clq_machine machine = world.machine(machine_text(two_states));
     std::atomic<bool> done{false};
-    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0}, stale{0};
+    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0};
     const auto note = [&](clq_status status) {
         EXPECT_TRUE(status == CLQ_OK || status == CLQ_STALE_ID) << clq_last_error();
-        ++(status == CLQ_OK ? told : stale);
+        told += status == CLQ_OK;
     };
     const auto speak = [&](const char *name) {
         while (!done && !HasFailure()) {
@@ -66,7 +66,7 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
         EXPECT_EQ(clq_stage_step(world.stage, 0.1 * step), CLQ_OK) << clq_last_error();
         const clq_agent gone = {newest};
         newest = world.agent(machine).index1;
-        if (step % 3 == 0) {
+        if (step % 3 == 0 || step > 60) {  // slow threads shall not meet more and more agents
             EXPECT_EQ(clq_stage_remove_agent(world.stage, gone), CLQ_OK) << clq_last_error();
         }
         std::this_thread::yield();
