@@ -72,9 +72,17 @@ public:
     }
     double of(size_t triangle, size_t zone) const { return rows_[triangle][zone]; }
     size_t zones() const { return zones_; }
-    size_t cheapest(size_t triangle) const
+    // Of the zones that `fractions` has, if it has any.
+    size_t cheapest(size_t triangle, const ZoneValues &fractions) const
     {
-        return size_t(std::min_element(rows_[triangle].begin(), rows_[triangle].end()) - rows_[triangle].begin());
+        const ZoneValues &row = rows_[triangle];
+        const auto is_less = [&](size_t a, size_t b) {
+            return (fractions[a] > 0) != (fractions[b] > 0) ? fractions[a] > 0 : row[a] < row[b];
+        };
+        size_t best = 0;
+        for (size_t zone = 1; zone < zones_; ++zone)
+            if (is_less(zone, best)) best = zone;
+        return best;
     }
 
 private:
@@ -95,7 +103,8 @@ public:
           area_fractions_(source_fractions_.size(), 0)
     {
         for (size_t t = 0; t < areas.size(); ++t) {
-            zones_.push_back(zone_cost.cheapest(t));
+            zones_.push_back(zone_cost.cheapest(t, source_fractions_));
+            cheapest_.push_back(zones_[t]);
             area_fractions_[zones_[t]] += areas[t];
             view_cost_.set(t, ViewCost::no_zone, zones_[t]);
         }
@@ -143,7 +152,7 @@ public:
                 for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
                     if (!may_show(t, zone)) continue;
                     if (partial.area_fractions[zone] + areas_[t] > source_fractions_[zone] + zone_tolerance_ &&
-                        zone != zone_cost_.cheapest(t))
+                        zone != cheapest_[t])
                         continue;
                     next.push_back(partial);
                     next.back().cost += view_cost_.added(t, zone, partial.zones);
@@ -185,10 +194,10 @@ private:
     struct Change {
         size_t triangle = 0, zone = 0;
     };
-    // No zone that the source does not show, where another is as near.
+    // A zone that the source does not show is no choice, unless it shows none at all.
     bool may_show(size_t triangle, size_t zone) const
     {
-        return source_fractions_[zone] > 0 || zone == zone_cost_.cheapest(triangle);
+        return source_fractions_[zone] > 0 || zone == cheapest_[triangle];
     }
     double excess_cost(size_t zone, double share) const
     {
@@ -252,7 +261,7 @@ private:
     double zone_tolerance_;
     std::vector<std::vector<uint32_t>> neighbours_;
     ZoneValues area_fractions_;
-    std::vector<size_t> zones_;
+    std::vector<size_t> zones_, cheapest_;
     std::vector<Change> changes_, best_;
     double best_gain_ = 0;
 };

@@ -14,7 +14,8 @@ struct ZonesInViews {
 };
 
 // The mean over all views of the squared errors of all zones' fractions, times `weight`, less what it is without any
-// triangle. It is a quadratic form of the assignment, so that one change costs a few additions.
+// triangle. A view in which the source shows nothing counts as one without an error. It is a quadratic form of the
+// assignment, so that one change costs a few additions.
 class ViewCost
 {
 public:
