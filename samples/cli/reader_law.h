@@ -25,7 +25,7 @@ struct Step {
     const char *format, *element;
     double most_ratio;
 };
-constexpr Step steps[] = {{"save", "layers", 32}, {"tracks", "attributes of SUMO", 40}};
+inline constexpr Step steps[] = {{"save", "layers", 32}, {"tracks", "attributes of SUMO", 40}};
 
 inline double most_ratio_of(const std::string &format, const std::string &element)
 {
@@ -42,14 +42,23 @@ inline bool is_lawful(const char *format, const char *element, const Reading &fe
            most_ratio_of(format, element);
 }
 
-// Throws scenes::Failure that names the rows that are not lawful.
+inline std::string ratios_of(const nlohmann::ordered_json &run)
+{
+    char text[100];
+    std::snprintf(text, sizeof text, " (%.1f, at most %g)",
+                  std::max(run.at("load_ratio").get<double>(), run.at("build_ratio").get<double>()),
+                  run.at("most_ratio").get<double>());
+    return text;
+}
+
+// Throws scenes::Failure that names the rows that are not lawful, with their ratios.
 inline void expect_lawful(const nlohmann::ordered_json &report)
 {
     std::string names;
     for (const nlohmann::ordered_json &run : report.at("runs"))
         if (!run.at("lawful").get<bool>())
             names += (names.empty() ? "" : ", ") + run.at("format").get<std::string>() + " " +
-                     run.at("element").get<std::string>();
+                     run.at("element").get<std::string>() + ratios_of(run);
     if (!names.empty()) throw scenes::Failure("ten times the elements take too many times the time: " + names);
 }
 

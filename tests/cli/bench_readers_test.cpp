@@ -113,7 +113,8 @@ TEST(LawOfReaders, AllowsMoreWhereTheCachesOfTheProcessorEnd)
 TEST(LawOfReaders, ABrokenOneFailsTheCommandAndIsNamed)
 {
     const auto row = [](const char *element, bool lawful) {
-        return nlohmann::ordered_json{{"format", "area"}, {"element", element}, {"lawful", lawful}};
+        return nlohmann::ordered_json{{"format", "area"},    {"element", element},  {"lawful", lawful},
+                                      {"load_ratio", 88.96}, {"build_ratio", 12.0}, {"most_ratio", 16.0}};
     };
     nlohmann::ordered_json report = {{"runs", nlohmann::ordered_json::array({row("points", true)})}};
     EXPECT_NO_THROW(cli::readers::expect_lawful(report));
@@ -122,7 +123,8 @@ TEST(LawOfReaders, ABrokenOneFailsTheCommandAndIsNamed)
         cli::readers::expect_lawful(report);
         ADD_FAILURE() << "nothing was said";
     } catch (const scenes::Failure &failure) {
-        EXPECT_STREQ(failure.what(), "ten times the elements take too many times the time: area holes, area obstacles");
+        EXPECT_STREQ(failure.what(), "ten times the elements take too many times the time: area holes (89.0, at most "
+                                     "16), area obstacles (89.0, at most 16)");
     }
 }
 
