@@ -26,7 +26,7 @@ struct Counters {
     uint32_t left_out = 0;          // not drawn: no memory to pose or skin them
     uint32_t deferred = 0;          // due, but left for a later update by the budget
     uint32_t overdue = 0;           // of these, poses older than two periods
-    uint32_t over_budget = 0;       // evaluated beyond the budget: there was no pose to show
+    uint32_t over_budget = 0;       // evaluated beyond the budget: no pose was kept to show
     uint64_t evicted = 0;           // blocks evicted, since the caches were made
     uint64_t cache_bytes = 0;       // of blocks in use, now
     uint64_t cache_pool_bytes = 0;  // held from the host for them

@@ -113,8 +113,8 @@ typedef struct clq_crowd_def {
     clq_clock clock;
     /* Poses that an update renews at most; 0: all that are due. Needs CLQ_CLOCK_LIVE and a cache. Actors that must wait
      * show their last pose. Actors that would otherwise keep a pose for nearly two periods come first, then near ones.
-     * Actors without a pose, or with a pose of another clip, are posed beyond the budget: see over_budget and overdue
-     * in clq_crowd_stats. */
+     * Actors without a pose, with a pose of another clip, or whose pose no cache has room for are posed first and, if
+     * need be, beyond the budget: see over_budget and overdue in clq_crowd_stats. */
     uint32_t update_budget;
     /* [>= 0] the same limit in milliseconds of posing and skinning, estimated from the cost of earlier updates; 0: no
      * limit. The lower of both limits holds. The picture then depends on the speed of the machine. Needs now_s. */

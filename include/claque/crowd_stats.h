@@ -46,7 +46,7 @@ typedef struct clq_crowd_stats {
     uint32_t on_demand;          /* individuals skinned for this update alone, without room in the caches */
     uint32_t deferred;           /* due poses that the budget left for a later update */
     uint32_t overdue;            /* of these, poses kept for more than two periods: the budget is too small */
-    uint32_t over_budget;        /* poses evaluated beyond the budget because there was none to show */
+    uint32_t over_budget;        /* poses evaluated beyond the budget, because none was kept to show */
     uint64_t evicted;            /* cache entries evicted since the crowd was created */
     uint64_t cache_bytes, cache_budget_bytes;
     uint64_t cache_pool_bytes; /* memory taken from the allocator for the caches, at most the budget */

@@ -11,7 +11,7 @@ namespace io
 
 std::string read_whole(const std::string &path, std::string &bytes);
 
-// The same, without holding more than a piece of 64 KB. A signal ends a process later the more memory it holds: the
+// The same, without holding more than a piece of 64 KiB. A signal ends a process later the more memory it holds: the
 // system gives back about 10 MB in a millisecond.
 std::string read_in_pieces(const std::string &path, const std::function<void(const char *piece, size_t size)> &take);
 

@@ -65,8 +65,9 @@ Database::Database(const uint8_t *bytes, size_t size) : size_(size)
         const int taken =
             sqlite3_deserialize(handle_, "main", const_cast<unsigned char *>(bytes), static_cast<sqlite3_int64>(size),
                                 static_cast<sqlite3_int64>(size), SQLITE_DESERIALIZE_READONLY);
-        // It returns SQLITE_ERROR for any failure, and has looked at no page yet.
-        if (taken != SQLITE_OK && sqlite3_errcode(handle_) == SQLITE_NOMEM) throw std::bad_alloc();
+        // It returns SQLITE_ERROR for most failures. It has looked at no page yet, so damage cannot be the cause.
+        if (taken != SQLITE_OK && (taken == SQLITE_NOMEM || sqlite3_errcode(handle_) == SQLITE_NOMEM))
+            throw std::bad_alloc();
         if (taken != SQLITE_OK) refuse(taken);
         sqlite3_set_authorizer(handle_, may, nullptr);
         // A row takes some 10 steps and no fewer than 6 bytes.
