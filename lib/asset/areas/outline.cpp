@@ -26,7 +26,8 @@ Outline::Outline(const std::vector<Ring> &rings) : origin_(rings[0][0])
         if (&ring == &rings[0]) at_ = start;
         else leftmost.push_back(start);
     }
-    tiny_ = 1e-15 * size_ * size_;
+    // Far from the origin of a map, points are rounded by more than the room's own digits.
+    tiny_ = std::max(1e-15 * size_, 4e-16 * far_) * size_;
     if (leftmost.empty()) return;
     std::stable_sort(leftmost.begin(), leftmost.end(),
                      [&](uint32_t a, uint32_t b) { return before_in_x(corners_[a].at, corners_[b].at); });
@@ -48,11 +49,12 @@ uint32_t Outline::add_ring(const Ring &ring)
     const uint32_t start = static_cast<uint32_t>(corners_.size()), n = static_cast<uint32_t>(ring.size());
     uint32_t leftmost = start;
     for (uint32_t i = 0; i < n; ++i) {
-        // Far from the origin of a map, differences keep their digits.
+        // Products of differences round less than those of a map's coordinates.
         corners_.push_back(
             {{ring[i].x - origin_.x, ring[i].y - origin_.y}, start + i, start + (i + n - 1) % n, start + (i + 1) % n});
         const Point &at = corners_.back().at, &best = corners_[leftmost].at;
         size_ = std::max({size_, std::fabs(at.x), std::fabs(at.y)});
+        far_ = std::max({far_, std::fabs(ring[i].x), std::fabs(ring[i].y)});
         if (before_in_x(at, best)) leftmost = start + i;
     }
     return leftmost;
@@ -101,7 +103,7 @@ uint32_t Outline::bridge_of(uint32_t hole) const
     const Point h = corners_[hole].at;
     const Edge *floor = nullptr, *ceiling = nullptr;
     double floor_y = -HUGE_VAL, ceiling_y = HUGE_VAL;
-    const double slack = 4e-15 * size_;
+    const double slack = 4 * tiny_ / size_;
     const auto meets = [&](const Box &box) {
         return before_in_x(box.low, h) && before_in_x(h, box.high) && box.high.y >= floor_y - slack &&
                box.low.y <= ceiling_y + slack;

@@ -53,7 +53,8 @@ private:
     Point origin_;
     std::vector<Edge> edges_;         // that begin at the points
     BoxTree edge_tree_, point_tree_;  // of the rings that are joined
-    double size_ = 0;
+    double size_ = 0;                 // the largest coordinate, from the origin
+    double far_ = 0;                  // the same on the map
 };
 
 }  // namespace claque::asset
