@@ -76,20 +76,31 @@ double Outline::depth(uint32_t c, const Point &other) const
 {
     const Point &a = before(c).at, &b = corners_[c].at, &d = after(c).at;
     // A tip has the inside all round it or nowhere, which nothing near it tells.
-    if (std::fabs(turn(c)) <= tiny_ && (a.x - b.x) * (d.x - b.x) + (a.y - b.y) * (d.y - b.y) > 0) return -tiny_;
+    if (std::fabs(turn(c)) <= tiny_ && (a.x - b.x) * (d.x - b.x) + (a.y - b.y) * (d.y - b.y) > 0) return -2 * tiny_;
     const double from_after = side(b, d, other), from_before = side(b, other, a);
     return turn(c) > 0 ? std::min(from_after, from_before) : std::max(from_after, from_before);
 }
 
-// The corner at a place from which the way to `onward` leads inside, or nowhere.
+// How far a corner is open to the inside, from 0 to a whole turn.
+double Outline::angle(uint32_t c) const
+{
+    const Point &a = before(c).at, &b = corners_[c].at, &d = after(c).at;
+    const double found = std::atan2(turn(c), (a.x - b.x) * (d.x - b.x) + (a.y - b.y) * (d.y - b.y));
+    return found < 0 ? found + 8 * std::atan(1.0) : found;
+}
+
+// The corner at a place from which the way to `onward` leads inside. Of more such corners it is the narrowest, which
+// lies in the others. Without any it is the one that misses the way by least. Nowhere: no corner is there.
 uint32_t Outline::corner_at(const Point &place, const Point &onward) const
 {
     uint32_t found = nowhere;
     double deepest = -HUGE_VAL;
     const auto is_there = [&](const Box &box) { return box.holds(box_of(place, place)); };
     point_tree_.any(place, is_there, [&](uint32_t point) {
-        for (uint32_t c = point; c != nowhere; c = corners_[c].next_of_point)
-            if (depth(c, onward) > deepest) found = c, deepest = depth(c, onward);
+        for (uint32_t c = point; c != nowhere; c = corners_[c].next_of_point) {
+            const double deep = std::min(depth(c, onward), -tiny_);
+            if (deep > deepest || (deep == deepest && angle(c) < angle(found))) found = c, deepest = deep;
+        }
         return false;
     });
     return found;

@@ -44,6 +44,7 @@ private:
     uint32_t add_ring(const Ring &ring);
     void take_ring(uint32_t first);
     double depth(uint32_t c, const Point &other) const;
+    double angle(uint32_t c) const;
     uint32_t corner_at(const Point &place, const Point &onward) const;
     uint32_t bridge_of(uint32_t hole) const;
     uint32_t nearest_between(const Edge &floor, const Edge &ceiling, const Point &h) const;

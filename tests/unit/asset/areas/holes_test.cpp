@@ -124,6 +124,26 @@ TEST(AreaHoles, OfObstaclesOnWallsAreJoinedUnderBoth)
     expect_filled(area);
 }
 
+// Where obstacles meet, the way to one may begin in more than one corner of the outline, but for rounding.
+TEST(AreaHoles, ThatMeetAtOnePlaceAreJoinedHoweverTheRoomIsTurned)
+{
+    const std::vector<asset::Ring> room{{{0, 0}, {9, 0}, {9, 9}, {0, 9}}, {{0, 4}, {1, 5}, {3, 5}, {2, 4}},
+                                        {{3, 2}, {4, 4}, {2, 4}, {6, 5}}, {{6, 6}, {6, 5}, {5, 5}, {5, 6}},
+                                        {{5, 3}, {5, 2}, {4, 3}},         {{8, 5}, {7, 4}, {6, 5}}};
+    for (int i = 0; i < 200; ++i) {
+        const Pose pose{0.0314 * i, 0};
+        SCOPED_TRACE(base::text_of("turned by %g", pose.angle));
+        std::vector<asset::Ring> rings = room;
+        for (asset::Ring &ring : rings)
+            for (asset::Point &p : ring) p = pose.of(p);
+        asset::AreaBuilder builder;
+        ASSERT_NO_THROW(builder.add_polygon(rings));
+        const asset::Area area = builder.take();
+        EXPECT_NEAR(area.area_m2, 81 - 2 - 2.5 - 1 - 0.5 - 1, 1e-10);
+        expect_filled(area);
+    }
+}
+
 TEST(AreaHoles, HoldIslandsWithHolesThatHoldIslands)
 {
     const asset::Area area = read_area_text(
