@@ -37,7 +37,7 @@ private:
         const Point &left() const { return before_in_x(from, to) ? from : to; }
         const Point &right() const { return before_in_x(from, to) ? to : from; }
         double y_at(double x) const;
-        // Between the places where both begin and x.
+        // Halfway between x and where the second of them begins.
         bool lies_below(const Edge &other, double x) const;
     };
 

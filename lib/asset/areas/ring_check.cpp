@@ -1,5 +1,6 @@
 #include "lib/asset/areas/ring_check.h"
 
+#include <cmath>
 #include <map>
 
 #include "lib/asset/areas/box_tree.h"
