@@ -34,7 +34,8 @@ struct Plane {
 class AreaBuilder
 {
 public:
-    static constexpr size_t most_points = 10000;  // of a polygon: edges at one place are compared with each other
+    // Of a polygon: edges at one place, or long slanting ones close together, are compared with each other.
+    static constexpr size_t most_points = 10000;
 
     // Rings in any direction, with or without their first point repeated at the end. Rings that enclose nothing are
     // left out with a warning. Throws base::Error: CLQ_FORMAT if rings cross or a hole is not in the polygon,
