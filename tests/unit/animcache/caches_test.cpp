@@ -140,6 +140,9 @@ TEST_F(CachesTest, AWaitingActorKeepsTheRangeThatItsVerticesWerePackedIn)
     blended.blend_radius = 8 * figure_->sklsroot.radius;
     update(caches, {blended});
     const draw::Vertices before = vertices_of(caches, 0);
+    update(caches, {wants(0, 0.1)});  // the blend has ended, the pose is the same
+    EXPECT_EQ(caches.counters().vertices_served, 1u);
+    EXPECT_EQ(vertices_of(caches, 0).step, before.step);
     update(caches, {wants(0, 0.2)}, 0);
     EXPECT_EQ(caches.counters().deferred, 1u);
     EXPECT_EQ(vertices_of(caches, 0).step, before.step);
