@@ -104,7 +104,7 @@ TEST(HeadsOfARun, AreHeldWhereTheyAreWithTheRestOfARun)
     EXPECT_NEAR(head_deg(other, 0, 5.9), 0, 12);
 }
 
-// No track ends here: who stands is away when it leaves, and not before.
+// No track ends here: a person that stands is away when it leaves, and not before.
 TEST(PeopleThatStand, AreNotSeenOnceTheyLeft)
 {
     World world(listening(guest), 1, false);
