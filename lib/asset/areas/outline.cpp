@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/math/trig.h"
+
 namespace claque::asset
 {
 
@@ -85,8 +87,8 @@ double Outline::depth(uint32_t c, const Point &other) const
 double Outline::angle(uint32_t c) const
 {
     const Point &a = before(c).at, &b = corners_[c].at, &d = after(c).at;
-    const double found = std::atan2(turn(c), (a.x - b.x) * (d.x - b.x) + (a.y - b.y) * (d.y - b.y));
-    return found < 0 ? found + 8 * std::atan(1.0) : found;
+    const double found = math::atan2(turn(c), (a.x - b.x) * (d.x - b.x) + (a.y - b.y) * (d.y - b.y));
+    return found < 0 ? found + 2 * math::pi : found;
 }
 
 // The corner at a place from which the way to `onward` leads inside. Of more such corners it is the narrowest, which
