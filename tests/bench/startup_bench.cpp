@@ -157,6 +157,9 @@ STARTUP(startup_first, citizen_in_8_two_threads, "citizen", Levels::s1, Threads:
 STARTUP(startup_prepared, citizen_in_8, "citizen", Levels::s1);
 STARTUP(startup_first, citizen_in_13, "citizen", Levels::usual, Threads::one);
 STARTUP(startup_first, citizen_in_13_two_threads, "citizen", Levels::usual, Threads::two);
+STARTUP(startup_first, patrician_in_13, "patrician", Levels::usual, Threads::one);
+STARTUP(startup_first, plebeian_in_13, "plebeian", Levels::usual, Threads::one);
+STARTUP(startup_first, decurion_in_13, "decurion", Levels::usual, Threads::one);
 STARTUP(startup_prepared, citizen_in_13, "citizen", Levels::usual);
 
 }  // namespace
