@@ -180,16 +180,12 @@ docs:
 	@docs/doxygen.sh out/reference
 
 # libclaque for other machines, with those of its tests that need no OpenGL; what is missing here is skipped by name.
-test-i386 test-arm64 test-mingw: test-%: setup
+test-i386 test-arm64 test-mingw test-nehalem: test-%: setup
 	@tests/foreign.sh $* $(JOBS)
 
-# An old x86-64 processor, under QEMU.
-test-nehalem: build
-	@PRESET=$(PRESET) tests/foreign.sh nehalem
-
 # All of them, with one table at the end; what is missing here is named in it.
-test-machines: build
-	@PRESET=$(PRESET) tests/machines.py --jobs $(JOBS)
+test-machines: setup
+	@tests/machines.py --jobs $(JOBS)
 
 # A WebGL renderer written from docs/parity.md, in Chromium (tests/parity/webgl). CASES='odeon plaza': some.
 test-webgl: command
