@@ -1,5 +1,6 @@
 #include "tests/api/failing_memory.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -8,8 +9,9 @@
 
 #include <unwind.h>
 
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define WITHOUT_MALLOC 1  // sanitizers own malloc; operator new and the host's allocator are still ours
+// Sanitizers own malloc, and only glibc lends its own; operator new and the host's allocator are still ours.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
+#define WITHOUT_MALLOC 1
 #endif
 
 #if !defined(WITHOUT_MALLOC)
@@ -69,7 +71,19 @@ bool refuse(bool host)
     return fail_at && (number == fail_at || (keep_failing && number > fail_at));
 }
 
-#if defined(WITHOUT_MALLOC)
+#if defined(_WIN32)
+void *plain(size_t bytes, size_t alignment)
+{
+    void *memory = _aligned_malloc(bytes ? bytes : 1, std::max(alignment, alignof(std::max_align_t)));
+    blocks_held += memory != nullptr;
+    return memory;
+}
+void plain_free(void *memory)
+{
+    blocks_held -= memory != nullptr;
+    _aligned_free(memory);
+}
+#elif defined(WITHOUT_MALLOC)
 void *plain(size_t bytes, size_t alignment)
 {
     void *memory = alignment <= alignof(std::max_align_t)

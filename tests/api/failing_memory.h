@@ -14,7 +14,7 @@ enum class Reach { host_only, everything };
 void arm(uint64_t n, Reach reach, bool persistent = false);
 uint64_t disarm();     // number of allocations since arm()
 int64_t host_bytes();  // held now through the host's allocator
-int64_t blocks();      // held now in all, the host's and the heap's; 0 where a sanitizer owns malloc
+int64_t blocks();      // held now in all: the host's, operator new's and, where malloc is ours, malloc's
 
 // Allocations meanwhile are the test's own: not counted, never failed.
 class Unarmed

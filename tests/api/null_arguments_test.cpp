@@ -35,7 +35,7 @@ TEST(NullTable, HoldsEveryCallOfLibclaqueThatTakesAPointer)
                                     "clq_report",           "clq_simd_set",         "clq_context_run"};
     std::set<std::string> declared;
     for (const auto &header : std::filesystem::directory_iterator(CLAQUE_SOURCE_DIR "/include/claque")) {
-        if (of_other_libraries.count(header.path().filename())) continue;
+        if (of_other_libraries.count(header.path().filename().string())) continue;
         for (const patterns::Match &found :
              patterns::matches(R"(CLQ_API clq_status (clq_\w+)\()", text_of(header.path())))
             declared.insert(found[1]);

@@ -1,7 +1,7 @@
 #include "tests/api/throwing_host.h"
 
 #include <cmath>
-#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -16,13 +16,13 @@ Host &host_of(void *user) { return *static_cast<Host *>(user); }
 void *allocate(void *user, size_t size_bytes, size_t alignment_bytes)
 {
     host_of(user).pass(Kind::allocate);
-    return std::aligned_alloc(alignment_bytes, (size_bytes + alignment_bytes - 1) / alignment_bytes * alignment_bytes);
+    return ::operator new(size_bytes, std::align_val_t(alignment_bytes), std::nothrow);
 }
 
 // The memory is released first, so that the test leaks nothing.
-void release(void *user, void *memory, size_t, size_t)
+void release(void *user, void *memory, size_t, size_t alignment_bytes)
 {
-    std::free(memory);
+    ::operator delete(memory, std::align_val_t(alignment_bytes));
     host_of(user).pass(Kind::release);
 }
 
