@@ -2,6 +2,7 @@
 #include <cstring>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -9,6 +10,7 @@
 #include "samples/cli/files.h"
 #include "samples/cli/reader_parts.h"
 #include "samples/io/npy.h"
+#include "samples/io/unfinished.h"
 #include "samples/parity/compare.h"
 
 namespace cli
@@ -149,34 +151,52 @@ std::string pixels(uint32_t count)
     return folder.packed();
 }
 
-// A folder that goes with its files.
-struct TemporaryFolder {
-    std::string path = (std::filesystem::temp_directory_path() / "claque-bench-XXXXXX").string();
+// A folder that goes with its files, at a signal too.
+class TemporaryFolder
+{
+public:
     TemporaryFolder()
     {
-        if (!mkdtemp(path.data())) throw scenes::Failure(path + " could not be made");
+        const io::SignalsHeld held;  // until its name is noted
+        if (!mkdtemp(path_.data())) throw scenes::Failure(path_ + " could not be made");
+        note(path_);
     }
     ~TemporaryFolder()
     {
         std::error_code ignored;
-        std::filesystem::remove_all(path, ignored);
+        std::filesystem::remove_all(path_, ignored);
     }
     TemporaryFolder(const TemporaryFolder &) = delete;
     TemporaryFolder &operator=(const TemporaryFolder &) = delete;
+
+    const std::string &path() const { return path_; }
+
+    void write(const std::string &name, const std::string &bytes)
+    {
+        const std::string file = path_ + "/" + name;
+        note(file);
+        write_whole(file, bytes);
+    }
+
+private:
+    void note(const std::string &path) { unfinished_.push_back(std::make_unique<io::Unfinished>(path)); }
+
+    std::string path_ = (std::filesystem::temp_directory_path() / "claque-bench-XXXXXX").string();
+    std::vector<std::unique_ptr<io::Unfinished>> unfinished_;  // the folder and its files
 };
 
 // Writes the files to a folder, reads them, and compares the result with itself.
 Reading read_folder(scenes::Library &, const std::string &bytes)
 {
-    const TemporaryFolder folder;
+    TemporaryFolder folder;
     for (size_t at = 0; at < bytes.size();) {
         const size_t blank = bytes.find(' ', at), line = bytes.find('\n', at);
         const size_t size = std::stoul(bytes.substr(blank + 1, line - blank - 1));
-        write_whole(folder.path + "/" + bytes.substr(at, blank - at), bytes.substr(line + 1, size));
+        folder.write(bytes.substr(at, blank - at), bytes.substr(line + 1, size));
         at = line + 1 + size;
     }
     parity::Capture capture;
-    Reading out = timed_parity([&] { capture = parity::read_capture(folder.path); });
+    Reading out = timed_parity([&] { capture = parity::read_capture(folder.path()); });
     if (out.loaded != "ok") return out;
     const Reading compared = timed_parity([&] { parity::compare(capture, capture, 60); });
     out.build_ms = compared.load_ms, out.built = compared.loaded;

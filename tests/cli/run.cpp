@@ -1,6 +1,7 @@
 #include "tests/cli/run.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -63,13 +64,24 @@ Outcome run_program(std::vector<std::string> words, const char *device)
     setenv("LSAN_OPTIONS", "print_suppressions=0", 0);
     // GCC 12's leak checker takes a driver's thread-local memory for a table of it and crashes there.
     setenv("ASAN_OPTIONS", "intercept_tls_get_addr=0", 0);
+    // As in the foreground of a shell: one that runs in the background ignores them, and the command would.
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGINT, SIGTERM}) sigaddset(&signals, number);
+    posix_spawnattr_t how;
+    posix_spawnattr_init(&how);
+    posix_spawnattr_setsigdefault(&how, &signals);
+    posix_spawnattr_setflags(&how, POSIX_SPAWN_SETSIGDEF);
     pid_t child = 0;
     Outcome outcome;
     int state = 0;
-    if (posix_spawnp(&child, argv[0], &actions, nullptr, argv.data(), environ) == 0 &&
-        waitpid(child, &state, 0) == child && WIFEXITED(state))
-        outcome.code = WEXITSTATUS(state);
+    if (posix_spawnp(&child, argv[0], &actions, &how, argv.data(), environ) == 0 &&
+        waitpid(child, &state, 0) == child) {
+        if (WIFEXITED(state)) outcome.code = WEXITSTATUS(state);
+        if (WIFSIGNALED(state)) outcome.signal = WTERMSIG(state);
+    }
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&how);
     outcome.out = file_text(out);
     outcome.err = file_text(err);
     fs::remove_all(folder);

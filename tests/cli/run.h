@@ -12,7 +12,8 @@ namespace cli_test
 {
 
 struct Outcome {
-    int code = -1;  // -1: ended by a signal
+    int code = -1;   // -1: ended by a signal
+    int signal = 0;  // that ended it
     std::string out, err;
 };
 

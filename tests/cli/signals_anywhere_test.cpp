@@ -40,7 +40,10 @@ protected:
         if (IsSkipped()) return;
         setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
         for (const char *folder : {"in", "out"}) fs::create_directories(path(folder));
+        search_ = std::getenv("PATH");
+        setenv("PATH", (path("in") + ":" + search_).c_str(), 1);
     }
+    void TearDown() override { setenv("PATH", search_.c_str(), 1); }
     std::string in(const std::string &name) const { return path("in") + "/" + name; }
     std::string out(const std::string &name) const { return path("out") + "/" + name; }
 
@@ -48,6 +51,9 @@ protected:
     void write_inputs() const
     {
         std::ofstream(in("steps.toml")) << "steps = ['wait 3600']\n";
+        std::ofstream(in("film.toml")) << "steps = ['key tab', 'click \"film\"', 'wait 3600']\n";
+        std::ofstream(in("ffmpeg")) << "#!/bin/sh\nfor last; do :; done\nexec /bin/cat > \"$last\"\n";
+        fs::permissions(in("ffmpeg"), fs::perms::owner_all);
         for (const int people : {1200, 10}) {
             std::ofstream table(in(people > 10 ? "crowd.csv" : "few.csv"));
             table << "id,frame,x,y\n";
@@ -96,6 +102,10 @@ protected:
              20,
              "run.clt.part"},
             {{"view", "--size", "320x240", "--script", in("steps.toml"), "--shots", path("out")}},
+            {{"view", "--size", "640x480", "--scene", "parade", "--count", "2", "--script", in("film.toml"), "--shots",
+              path("out")},
+             20,
+             "view-1.part"},
             {{"bench", "ten_thousand", "--count", "2000", "--frames", "100000", "--save", out("bench.json")}},
             {{"bench", "readers", "--count", "10000", "--save", out("bench.json")}},
             {{"bench", "keypose-path", "--save", out("bench.json")}},
@@ -163,6 +173,7 @@ protected:
     }
 
     double longest_ms_ = 0, longest_cpu_s_ = 0;
+    std::string search_;
 };
 
 // Where the build lacks Recast there is no `stage`.

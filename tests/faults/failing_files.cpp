@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -49,6 +50,10 @@ How outcome(Operation operation)
     if (!hit) return How::none;
     if (!reached && when_reached) when_reached();
     reached = true;
+    if (fault.how == How::signal) {
+        raise(fault.error);
+        return How::none;
+    }
     errno = fault.error;
     return fault.how;
 }

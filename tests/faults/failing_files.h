@@ -12,6 +12,7 @@ enum class How {
     error,      // the n-th operation fails with `error`
     for_good,   // and all later ones of its kind
     shortened,  // the n-th read or write does half of what was asked
+    signal,     // before the n-th operation, which is then made, the signal `error` arrives
     none
 };
 

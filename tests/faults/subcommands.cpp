@@ -9,6 +9,13 @@ namespace command_faults
 
 namespace fs = std::filesystem;
 
+static Subcommand for_signals(const char *name, const std::vector<std::string> &words, bool is_slow = false)
+{
+    Subcommand made = {name, words, true, is_slow};
+    made.is_for_signals = true;
+    return made;
+}
+
 const std::vector<Subcommand> &subcommands()
 {
     static const std::vector<Subcommand> all = {
@@ -70,7 +77,12 @@ const std::vector<Subcommand> &subcommands()
          true},
         {"parity_compare",
          {"parity", "compare", "<a/", "<b/", "--tolerance", "<mine.toml", "--json", ">r.json", "--html", ">r.html"},
-         true}};
+         true},
+        for_signals("film", {"render", "<p.glb", "--count", "2", "--size", "32x24", "--frames", "0:1", "--out",
+                             ">f-%d.png", "--manifest", ">film.json"}),
+        for_signals("record", {"play", "<corner.csv", "--columns", "id,frame,x,y", "--rate", "2", "--unit", "m",
+                               "--size", "32x24", "--frames", "0:1", "--out", ">f-%d.png", "--record", ">run.clt"}),
+        for_signals("readers", {"bench", "readers", "--count", "1", "--save", ">r.json"}, true)};
     return all;
 }
 

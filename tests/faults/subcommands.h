@@ -1,4 +1,4 @@
-// The subcommands of claque whose file operations fail, and what they read.
+// The subcommands of claque whose file operations fail, or meet a signal, and what they read.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +16,7 @@ struct Subcommand {
     bool is_slow = false;   // takes seconds, and shares its files' code with quicker ones
     bool recovers = false;  // a library below it does without some operations, with the same result
     bool goes_on = false;   // its folder gets one whole file after the other, and the next run makes what is missing
+    bool is_for_signals = false;  // only signals arrive at its operations, and nothing is in the place of its files
 };
 
 const std::vector<Subcommand> &subcommands();
