@@ -1,8 +1,10 @@
-// Skips for want of OpenGL: only a library that the loader does not find is a reason. What goes wrong with the library
-// there is a failure.
+// Skips for want of OpenGL: only a library that the loader does not find is a reason, or an extension that GL's list
+// does not name. What goes wrong with the library there is a failure.
 #include "tests/gl/support/absent.h"
 
 #include <gtest/gtest-spi.h>
+
+#include "tests/gl/support/absent_extension.h"
 
 namespace gltest
 {
@@ -32,6 +34,30 @@ TEST(AbsentGl, AContextThatCannotBeMadeAlthoughItsLibraryIsThereIsAFailure)
 {
     if (const std::string absent = absent_gl(contexts::Kind::any); !absent.empty()) GTEST_SKIP() << absent;
     EXPECT_FATAL_FAILURE(end_without_context(), "its driver crashed");
+}
+
+TEST(AbsentExtension, IsOneThatGlsWholeListDoesNotName)
+{
+    const auto find = [](const char *list, const char *version, bool is_limited) {
+        return find_extension("GL_EXT_one", list, version, is_limited);
+    };
+    EXPECT_TRUE(find("GL_EXT_two GL_EXT_one", "2.1", false).is_there);
+    EXPECT_FALSE(find("GL_EXT_one_more NGL_EXT_one", "2.1", false).is_there) << "a part of a name is no name";
+    const AskedExtension absent = find("GL_EXT_two", "2.1 Other", false);
+    EXPECT_TRUE(!absent.is_there && absent.may_be_absent);
+    EXPECT_EQ(absent.why, "GL 2.1 Other does not name GL_EXT_one");
+    EXPECT_TRUE(find("", "1.1 Mesa 20", true).may_be_absent) << "a Mesa that is limited to old ones";
+}
+
+TEST(AbsentExtension, IsAFailureWhereMesaIsNotLimitedOrGlSaysNothing)
+{
+    for (const auto &[list, version] : {std::pair<const char *, const char *>{"GL_EXT_two", "4.5 Mesa 22.3.6"},
+                                        {nullptr, "2.1"},
+                                        {"GL_EXT_two", nullptr}}) {
+        const AskedExtension wrong = find_extension("GL_EXT_one", list, version, !list || !version);
+        EXPECT_FALSE(wrong.is_there || wrong.may_be_absent) << wrong.why;
+        EXPECT_FALSE(wrong.why.empty());
+    }
 }
 
 }  // namespace

@@ -43,8 +43,8 @@ std::set<std::string> names_of_gl_1_1()
 
 TEST_F(Calls, AskForNamesOfGl11Alone)
 {
+    if (!std::ifstream("/usr/include/GL/gl.h")) GTEST_SKIP() << "no /usr/include/GL/gl.h to read the names from";
     const std::set<std::string> names = names_of_gl_1_1();
-    if (names.empty()) GTEST_SKIP() << "no /usr/include/GL/gl.h to read the names from";
     ASSERT_EQ(names.size(), 336u);
     const auto renderer = fresh();
     ASSERT_TRUE(open(*renderer).ok());

@@ -1,6 +1,7 @@
 // The images of textures of single individuals, as GL gets them.
 #include <cmath>
 
+#include "tests/gl/support/absent_extension.h"
 #include "tests/gl/support/close.h"
 #include "tests/gl/support/hostile.h"
 #include "tests/gl/support/spy.h"
@@ -138,7 +139,7 @@ TEST_F(CloseImages, LeaveTheStateOfAHostileHostAsItWasWhenTheyAreMadeAndWhenThey
 
 TEST_F(CloseImages, AreRefusedWithTheDrawWhereAHostsBufferWouldBeReadInstead)
 {
-    if (!UnpackBuffer::is_known_to(*host_)) GTEST_SKIP() << "this GL has no GL_ARB_pixel_buffer_object";
+    NEEDS_EXTENSION("GL_ARB_pixel_buffer_object", *host_);
     const auto renderer = make_renderer_of(posed_, close_options()), plain = make_renderer_of(posed_);
     const UnpackBuffer buffer(*host_);
     buffer.bind();

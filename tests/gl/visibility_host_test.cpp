@@ -1,5 +1,6 @@
 // Visibility pictures in a host's context: they leave no trace, keep holes, and are refused where a host's buffer would
 // be read instead of texels.
+#include "tests/gl/support/absent_extension.h"
 #include "tests/gl/support/fixture.h"
 #include "tests/gl/support/hostile.h"
 #include "tests/gl/support/state_dump.h"
@@ -60,7 +61,7 @@ TEST_F(VisibilityHost, ShowsNumbersWhereThePictureShowsTheIndividual)
 
 TEST_F(VisibilityHost, IsRefusedWhereAHostsBufferWouldBeReadInstead)
 {
-    if (!UnpackBuffer::is_known_to(*host_)) GTEST_SKIP() << "this GL has no GL_ARB_pixel_buffer_object";
+    NEEDS_EXTENSION("GL_ARB_pixel_buffer_object", *host_);
     const auto renderer = make_renderer_of(posed_);
     const UnpackBuffer buffer(*host_);
     buffer.bind();

@@ -9,15 +9,10 @@ namespace gltest
 class UnpackBuffer
 {
 public:
-    // Of the current context; this GL must have such buffers.
+    // Of the current context; this GL must have such buffers (GL_ARB_pixel_buffer_object).
     explicit UnpackBuffer(const HostGl &host) : bind_(host.ask<void (*)(gl::Enum, uint32_t)>("glBindBuffer"))
     {
         host.ask<void (*)(int32_t, uint32_t *)>("glGenBuffers")(1, &name_);
-    }
-    static bool is_known_to(const HostGl &host)
-    {
-        const std::string extensions(reinterpret_cast<const char *>(host.GetString(gl::extensions)));
-        return extensions.find("GL_ARB_pixel_buffer_object") != std::string::npos;
     }
 
     void bind() const { bind_(unpack, name_); }
