@@ -2,6 +2,7 @@
 // ones.
 #include "tests/api/allocation.h"
 
+#include "tests/support/collected_file.h"
 #include "tests/support/written_characters.h"
 
 using namespace allocation;
@@ -130,7 +131,7 @@ TEST_F(Allocation, LoadingTheSmallestAssetFailsCleanlyAtEveryAllocationAndALarge
                                    {"humanoids/khronos/RiggedFigure.glb", 1009},
                                    {"humanoids/quaternius-ultimate/Casual_Male.gltf", 30011}}) {
         const std::string path = written::path_of(file.name, CLAQUE_ASSETS_DIR);
-        if (bytes_of(path).empty()) GTEST_SKIP() << "real characters are not beside this checkout: " << path;
+        CLAQUE_NEEDS_FILE(path);
         fail_each_load(path, file.stride);
     }
 }

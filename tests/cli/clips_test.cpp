@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/collected_file.h"
 #include "tests/support/written_characters.h"
 
 namespace cli_test
@@ -222,10 +223,7 @@ class Mocap : public Clips, public testing::WithParamInterface<const char *>
 protected:
     std::string file() const { return written::path_of(GetParam(), CLAQUE_ASSETS_DIR "/mocap"); }
     std::string map() const { return std::string(CLAQUE_SOURCE_DIR) + "/samples/maps/cmu-people.toml"; }
-    void SetUp() override
-    {
-        if (!std::filesystem::exists(file())) GTEST_SKIP() << file() << " is not there";
-    }
+    void SetUp() override { CLAQUE_NEEDS_FILE(file()); }
 };
 
 TEST_P(Mocap, MovesABuiltInPerson)

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/collected_file.h"
 #include "tests/support/written_characters.h"
 
 namespace cli_test
@@ -145,7 +146,7 @@ TEST_P(FilesOf, CharactersAreInspectedDumpedSplitAndPrepared)
 {
     const CharacterFile &listed = GetParam();
     const std::string file = written::path_of(listed.name, CLAQUE_ASSETS_DIR);
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+    CLAQUE_NEEDS_FILE(file);
     const Json json = inspected(file);
     EXPECT_EQ(json["loaded"]["clips"].size(), listed.clips);
     EXPECT_EQ(json["loaded"]["triangles"].get<int>(), listed.triangles);

@@ -111,9 +111,11 @@ TEST_F(PartsOfFilms, AreRecordedWithAllPeople)
 
 TEST_F(PartsOfFilms, ReadThePartsOfARecord)
 {
+#ifndef CLAQUE_STAGED
+    GTEST_SKIP() << "this build has no stage: it lacks Recast";
+#endif
     const Outcome made = claque({"stage", std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/evacuation.toml",
                                  "--seconds", "30", "--record", path("run.clt")});
-    if (made.err.find("Recast") != std::string::npos) GTEST_SKIP() << made.err;
     ASSERT_EQ(made.code, 0) << made.err;
     const Words played = {"play", path("run.clt")};
     const json film = drawn(played, "film", "0:740/37");

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/run.h"
+#include "tests/support/collected_file.h"
 #include "tests/support/written_characters.h"
 
 namespace cli_test
@@ -196,7 +197,7 @@ class RenderOf : public Render, public testing::WithParamInterface<const char *>
 TEST_P(RenderOf, ACharacterOfAFileIsDrawn)
 {
     const std::string file = written::path_of(GetParam(), CLAQUE_ASSETS_DIR);
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+    CLAQUE_NEEDS_FILE(file);
     render({file, "--out", path("a.png")});
     EXPECT_GT(std::filesystem::file_size(path("a.png")), 500u);
 }

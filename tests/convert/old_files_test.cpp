@@ -7,15 +7,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/collected_file.h"
+
 namespace convert_test
 {
 namespace
 {
 
 const std::string folder = CLAQUE_ASSETS_DIR "/old/";
-
-#define CLAQUE_NEEDS_OLD_FILES() \
-    if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no old files in " << folder
 
 struct Row {
     const char *file;
@@ -61,7 +60,7 @@ class OldFiles : public testing::TestWithParam<Row>
 
 TEST_P(OldFiles, MoveAsTheyDoInAssimpsScene)
 {
-    CLAQUE_NEEDS_OLD_FILES();
+    CLAQUE_NEEDS_FILE(folder);
     const Row &row = GetParam();
     Both both(folder + row.file);
     EXPECT_GE(both.info().node_count, row.joints);
@@ -82,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(Assets, OldFiles, testing::ValuesIn(readable), name_of)
 
 TEST(OldFilesThatAssimpCannotRead, AreRefusedByName)
 {
-    CLAQUE_NEEDS_OLD_FILES();
+    CLAQUE_NEEDS_FILE(folder);
     for (const Refused &row : refused) {
         try {
             convert::convert_file(folder + row.file, {}, {});
@@ -106,7 +105,7 @@ float height_of(const std::string &file, const convert::Options &options)
 
 TEST(OldFilesOfPeople, StandUprightInMetres)
 {
-    CLAQUE_NEEDS_OLD_FILES();
+    CLAQUE_NEEDS_FILE(folder);
     convert::Options high, turned;
     high.height_m = 1.8;
     turned.up = 'z';
@@ -118,7 +117,7 @@ TEST(OldFilesOfPeople, StandUprightInMetres)
 
 TEST(OldFilesPictures, AreFoundWhateverTheirPathAndCase)
 {
-    CLAQUE_NEEDS_OLD_FILES();
+    CLAQUE_NEEDS_FILE(folder);
     const struct {
         const char *file;
         uint32_t images;
@@ -139,7 +138,7 @@ TEST(OldFilesPictures, AreFoundWhateverTheirPathAndCase)
 
 TEST(OldFilesTwice, GiveTheSameBytes)
 {
-    CLAQUE_NEEDS_OLD_FILES();
+    CLAQUE_NEEDS_FILE(folder);
     for (const char *file : {"ogre-xml/ninja/ninja.mesh.xml", "fbx/arnaud/walk.fbx"})
         EXPECT_EQ(convert::convert_file(folder + file, {}, {}).glb, convert::convert_file(folder + file, {}, {}).glb);
 }

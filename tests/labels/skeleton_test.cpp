@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/labels/vrm_skeleton.h"
+#include "tests/support/collected_file.h"
 
 namespace
 {
@@ -136,7 +137,7 @@ class KeypointsOfFiles : public testing::TestWithParam<const char *>
 TEST_P(KeypointsOfFiles, AreFoundByTheNamesOfTheirMakers)
 {
     const std::string path = std::string(CLAQUE_ASSETS_DIR) + "/humanoids/" + GetParam();
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << path << " is not here";
+    CLAQUE_NEEDS_FILE(path);
     scenes::Library library(1);
     clq_asset *asset = nullptr;
     check(clq_asset_load_file(library.context(), path.c_str(), nullptr, &asset));

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tests/staged/staged_world.h"
+#include "tests/support/collected_file.h"
 
 namespace staged_test
 {
@@ -88,7 +89,7 @@ double measured_flow(const std::string &file)
 TEST(Evacuation, AsManyGoThroughAFullDoorAsWereMeasured)
 {
     const std::string file = std::string(CLAQUE_ASSETS_DIR) + "/tracks/pedpy/ref-bottleneck/traj.txt";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
+    CLAQUE_NEEDS_FILE(file);
     const double measured = measured_flow(file);
     World world(load_scenario(std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/evacuation.toml"), 1, false);
     world.run().decide(75);

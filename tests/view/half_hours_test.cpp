@@ -3,6 +3,7 @@
 
 #include "samples/io/files.h"
 #include "samples/view/ground/save.h"
+#include "tests/support/collected_file.h"
 #include "tests/view/staged.h"
 
 namespace
@@ -38,7 +39,7 @@ TEST_F(HalfHours, OfAUserWithACharacter)
     Stage stage;
     stage.width = 640, stage.height = 480, stage.count = 3;
     stage.file = std::string(CLAQUE_ASSETS_DIR) + "/humanoids/kaykit/Barbarian.glb";
-    if (!std::filesystem::exists(stage.file)) GTEST_SKIP() << "there is no " << stage.file;
+    CLAQUE_NEEDS_FILE(stage.file);
     open(stage);
     EXPECT_GE(spend("character.toml"), 1800);
     expect_roles_performed();

@@ -21,7 +21,7 @@ protected:
     void SetUp() override
     {
         if (!server_.why_not().empty()) GTEST_SKIP() << server_.why_not();
-        if (std::system("xdotool version > /dev/null 2>&1") != 0) GTEST_SKIP() << "there is no xdotool";
+        if (std::system("command -v xdotool > /dev/null") != 0) GTEST_SKIP() << "there is no xdotool";
         folder_ = testing::TempDir() + "claque_view_window_" + std::to_string(getpid());
         std::filesystem::create_directories(folder_);
         process_ = fork();

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "lib/api/track_handle.h"
+#include "tests/support/collected_file.h"
 #include "tests/unit/track/feet.h"
 
 using namespace claque;
@@ -83,7 +84,7 @@ protected:
     }
     void SetUp() override
     {
-        if (!std::filesystem::exists(assets)) GTEST_SKIP() << "there is no " << assets;
+        CLAQUE_NEEDS_FILE(assets + "/tracks/" + GetParam().path);
         clq_trajectories_def def = clq_trajectories_def_init();
         def.rate_hz = GetParam().rate_hz, def.metres_per_unit = GetParam().metres_per_unit;
         const std::string path = assets + "/tracks/" + GetParam().path;

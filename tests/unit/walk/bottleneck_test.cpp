@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/support/collected_file.h"
 #include "tests/unit/walk/floors.h"
 
 namespace
@@ -35,7 +36,7 @@ class Bottleneck : public testing::Test
 protected:
     void SetUp() override
     {
-        if (!std::filesystem::exists(folder_)) GTEST_SKIP() << "there is no " << folder_;
+        CLAQUE_NEEDS_FILE(folder_);
         ASSERT_EQ(clq_context_create(nullptr, &context_), CLQ_OK);
         read_people();
         read_hall();

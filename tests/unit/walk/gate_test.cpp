@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "tests/support/collected_file.h"
 #include "tests/unit/walk/floors.h"
 
 namespace
@@ -89,7 +90,7 @@ std::vector<double> walked(const std::vector<Standing> &people, float radius_m)
 TEST(GateOfOnePerson, LetsAsManyPeopleThroughAsWereMeasuredIfTheyTurnSideways)
 {
     const std::string file = std::string(CLAQUE_ASSETS_DIR) + "/tracks/pedpy/040_c_56_h-.txt";
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << "there is no " << file;
+    CLAQUE_NEEDS_FILE(file);
     std::vector<Standing> people;
     std::vector<double> measured_s;
     read_gate(file, people, measured_s);

@@ -10,6 +10,7 @@
 
 #include "lib/asset/file.h"
 #include "lib/base/error.h"
+#include "tests/support/collected_file.h"
 #include "writers.h"
 
 namespace claque::testing
@@ -17,9 +18,7 @@ namespace claque::testing
 
 inline std::string tracks_folder() { return CLAQUE_ASSETS_DIR "/tracks/"; }
 
-#define CLAQUE_NEEDS_TRACKS()                                    \
-    if (!std::filesystem::exists(tracks_folder() + "README.md")) \
-    GTEST_SKIP() << "no files of trajectories in " << tracks_folder()
+#define CLAQUE_NEEDS_TRACKS() CLAQUE_NEEDS_FILE(tracks_folder() + "README.md")
 
 inline Bytes bytes_of_text(const std::string &text) { return Bytes(text.begin(), text.end()); }
 
