@@ -23,18 +23,6 @@ constexpr uint64_t bytes_per_candidate = 3 * 24;  // a growing array
 constexpr uint64_t evaluations_per_node = 24;
 constexpr uint64_t parts_of_transform = 8, vertices_per_transform = 16, bytes_per_search = 2048;
 
-// The sum of the nodes' depths: what a walk from every node to its root costs.
-uint64_t depth_sum(const model::Rig &rig)
-{
-    std::vector<uint32_t> depth(rig.node_count(), 1);
-    uint64_t sum = 0;
-    for (uint32_t n = 0; n < rig.node_count(); ++n) {
-        if (rig.parents[n] != model::none) depth[n] = depth[rig.parents[n]] + 1;
-        sum += depth[n];
-    }
-    return sum;
-}
-
 }  // namespace
 
 Allowance::Allowance(const model::Model &model)
@@ -67,8 +55,8 @@ SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowan
     uint64_t free = 0;
     if (!rig.dofs.empty())
         for (const uint8_t is_free : free_nodes(rig)) free += is_free;
-    // What one pose costs: a step of a walk from a node to its root, or a bounded sphere, is a part of a transform.
-    uint64_t pose = parts_of_transform * rig.node_count() + depth_sum(rig), fixed = 0;
+    // What one pose costs: a bounded sphere, or the bound of a node's motion, is a part of a transform.
+    uint64_t pose = (parts_of_transform + 1) * rig.node_count(), fixed = 0;
     for (const model::Level &level : tmpl.levels) pose += level.part_spheres.size() + rig.palette.size();
     uint64_t steps = parts_of_transform * evaluations_per_node * free * rig.node_count();
     for (uint32_t c = 0; c < rig.clips.size(); ++c)

@@ -251,14 +251,14 @@ double MotionMeter::bound() const
         reach[rig.parents[n]] = std::max(reach[rig.parents[n]], own.offset + under);
         error[rig.parents[n]] = std::max(error[rig.parents[n]], off);
     }
-    double stretch = 1;
+    double most_stretch = 1;
+    std::vector<double> stretch(rig.node_count());  // of each node and all above it
     for (uint32_t n = 0; n < rig.node_count(); ++n) {
-        double all = 1;
-        for (uint32_t k = n; k != none; k = rig.parents[k])
-            all *= accepted_.nodes[k].scale > 0 ? accepted_.nodes[k].scale : 1;
-        stretch = std::max(stretch, all);
+        const double above = rig.parents[n] == none ? 1 : stretch[rig.parents[n]];
+        stretch[n] = above * (accepted_.nodes[n].scale > 0 ? accepted_.nodes[n].scale : 1);
+        most_stretch = std::max(most_stretch, stretch[n]);
     }
-    return maximum + accepted_.morphs * stretch;
+    return maximum + accepted_.morphs * most_stretch;
 }
 
 }  // namespace claque::meshsplit

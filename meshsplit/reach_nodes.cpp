@@ -34,6 +34,7 @@ public:
           centre_(centre),
           solver_(rig),
           shifts_(max_shifts(rig)),
+          maps_(rig.node_count()),
           candidates_(rig.node_count()),
           settled_(rig.node_count()),
           stretches_(rig.node_count()),
@@ -65,11 +66,9 @@ public:
 private:
     void collect(uint32_t n, const PoseSegment *since)
     {
-        MotionBound motion_bound;
-        if (since)
-            for (uint32_t k = n; k != none; k = rig_.parents[k])
-                motion_bound = since->nodes[k].of(motion_bound, shifts_[k]);
-        const double bulge = motion_bound.chord_deviation();
+        const uint32_t parent = rig_.parents[n];
+        if (since) maps_[n] = MotionMap(parent == none ? MotionMap() : maps_[parent], since->nodes[n], shifts_[n]);
+        const double bulge = since ? maps_[n].origin().chord_deviation() : 0;
         std::vector<NodeCandidate> &candidates = candidates_[n];
         if (since) candidates.back().bulge = std::max(candidates.back().bulge, bulge);
         const bool is_free = solver_.is_free(n);
@@ -112,6 +111,7 @@ private:
     const glm::dvec3 centre_;
     ReachSolver solver_;
     const std::vector<double> shifts_;
+    std::vector<MotionMap> maps_;  // per node, of the motion to the pose that is visited
     std::vector<PoseAt> poses_;
     std::vector<std::vector<NodeCandidate>> candidates_;  // per node
     std::vector<double> settled_;                         // per node: a bound in poses that are no candidates any more

@@ -119,6 +119,26 @@ MotionBound NodeMotionBound::of(const MotionBound &inner, double max_shift) cons
             travel_acceleration + (turn * turn + turn_acceleration) * reach + 2 * turn * speed + acceleration};
 }
 
+MotionMap::MotionMap(const MotionMap &above, const NodeMotionBound &node, double max_shift)
+    : origin_(above.of(node.of({}, max_shift)))
+{
+    const double turns = node.turn * node.turn + node.turn_acceleration;
+    const double speed = node.turn * node.scale + node.growth;
+    const double acceleration = turns * node.scale + 2 * node.turn * node.growth + node.scale_acceleration;
+    scale_ = above.scale_ * node.scale;
+    reach_to_speed_ = above.scale_ * speed + above.reach_to_speed_ * node.scale;
+    reach_to_acceleration_ =
+        above.scale_ * acceleration + above.speed_to_acceleration_ * speed + above.reach_to_acceleration_ * node.scale;
+    speed_to_acceleration_ = above.scale_ * 2 * speed + above.speed_to_acceleration_ * node.scale;
+}
+
+MotionBound MotionMap::of(const MotionBound &inner) const
+{
+    return {origin_.reach + scale_ * inner.reach, origin_.speed + scale_ * inner.speed + reach_to_speed_ * inner.reach,
+            origin_.acceleration + scale_ * inner.acceleration + speed_to_acceleration_ * inner.speed +
+                reach_to_acceleration_ * inner.reach};
+}
+
 namespace
 {
 

@@ -68,6 +68,23 @@ struct NodeMotionBound {
     MotionBound of(const MotionBound &inner, double max_shift) const;
 };
 
+// NodeMotionBound::of for a node and all those above it, in one step: its result is linear in `inner`. Maps are made
+// from the roots downwards, so that a bound in model space takes a step for each node, however deep it is.
+class MotionMap
+{
+public:
+    MotionMap() = default;  // of model space
+    MotionMap(const MotionMap &above, const NodeMotionBound &node, double max_shift);
+
+    MotionBound of(const MotionBound &inner) const;
+    MotionBound origin() const { return origin_; }  // of a point at the node's origin
+
+private:
+    // What each of `inner` adds to each of the result. A reach scales as a speed and an acceleration do.
+    double scale_ = 1, reach_to_speed_ = 0, reach_to_acceleration_ = 0, speed_to_acceleration_ = 0;
+    MotionBound origin_;
+};
+
 // The motion from one pose to the next.
 struct PoseSegment {
     std::vector<NodeMotionBound> nodes;

@@ -51,7 +51,42 @@ void expect_between(const model::Rig &rig, const PoseAt &from, const PoseAt &to,
     }
 }
 
+// Nodes below one another, whose motions have all that a motion can have.
+std::vector<meshsplit::NodeMotionBound> chain(uint32_t seed)
+{
+    std::vector<meshsplit::NodeMotionBound> out(8);
+    const auto next = [&] { return seed = seed * 1664525u + 1013904223u, double(seed >> 8) / (1 << 24); };
+    for (meshsplit::NodeMotionBound &node : out) {
+        node.scale = 0.5 + next(), node.growth = next(), node.scale_acceleration = next();
+        node.turn = next(), node.turn_acceleration = next();
+        node.offset = next(), node.travel = next(), node.travel_acceleration = next();
+    }
+    return out;
+}
+
 }  // namespace
+
+TEST(ReachPoses, HaveTheSameBoundInOneStepAsNodeByNode)
+{
+    const double shift = 0.1;
+    for (uint32_t seed = 1; seed <= 20; ++seed) {
+        const std::vector<meshsplit::NodeMotionBound> nodes = chain(seed);
+        MotionBound there = {0.5, 0.3, 0.2}, origin;
+        meshsplit::MotionMap map;
+        for (const meshsplit::NodeMotionBound &node : nodes) map = meshsplit::MotionMap(map, node, shift);
+        const MotionBound of = map.of(there), origin_of = map.origin();
+        for (size_t n = nodes.size(); n-- > 0;) {
+            there = nodes[n].of(there, shift);
+            origin = nodes[n].of(origin, shift);
+        }
+        EXPECT_NEAR(of.reach, there.reach, 1e-12 * there.reach);
+        EXPECT_NEAR(of.speed, there.speed, 1e-12 * there.speed);
+        EXPECT_NEAR(of.acceleration, there.acceleration, 1e-12 * there.acceleration);
+        EXPECT_NEAR(origin_of.reach, origin.reach, 1e-12 * origin.reach);
+        EXPECT_NEAR(origin_of.speed, origin.speed, 1e-12 * origin.speed);
+        EXPECT_NEAR(origin_of.acceleration, origin.acceleration, 1e-12 * origin.acceleration);
+    }
+}
 
 TEST(ReachPoses, DeviateFromStraightLinesByAtMostTheirBound)
 {

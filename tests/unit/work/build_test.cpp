@@ -57,67 +57,6 @@ double worst_error(const model::Template &tmpl, uint32_t clip, double time_s)
     return most;
 }
 
-// A net of `count` triangles on two joints, in two zones whose border crosses it.
-model::Model net_of(uint32_t count)
-{
-    constexpr uint32_t image_px = 16;
-    model::Model model;
-    model.name = "net";
-    for (uint32_t node = 0; node < 2; ++node) {
-        model.rig.parents.push_back(node == 0 ? model::none : 0);
-        model.rig.rest.emplace_back();
-        model.rig.node_names.emplace_back(node == 0 ? "low" : "high");
-        model.rig.palette.push_back({node, math::Affine()});
-        model.zones.emplace_back();
-        model.zones[node].name = model.rig.node_names[node], model.zones[node].key = static_cast<uint8_t>(128 * node);
-    }
-    model::Image &image = model.images.emplace_back();
-    image.name = "zones", image.width = image.height = image_px, image.alpha = model::AlphaMeaning::zone_keys;
-    for (uint32_t i = 0; i < image_px * image_px; ++i)
-        image.rgba.insert(image.rgba.end(), {200, 200, 200, static_cast<uint8_t>(i % 16 < 7 ? 0 : 128)});
-    model.materials.emplace_back();
-    model.materials[0].image = 0;
-    model.source_bytes = 1 << 26;  // what it may take in memory is not asked here
-    model::Part &part = model.parts.emplace_back();
-    part.material = 0, part.node = 0, part.skinned = true, part.influence_count = 2;
-    const uint32_t columns = 10, rows = count / 20;
-    for (uint32_t y = 0; y <= rows; ++y)
-        for (uint32_t x = 0; x <= columns; ++x) {
-            const glm::vec2 at(float(x) / float(columns), float(y) / float(rows));
-            part.positions.emplace_back(at.x, at.y, 0.1f * std::sin(9 * at.x) * std::cos(7 * at.y));
-            part.uvs.push_back(at);
-            part.joints.insert(part.joints.end(), {0, 1});
-            part.weights.insert(part.weights.end(), {1 - at.y, at.y});
-            const uint32_t i = y * (columns + 1) + x;
-            if (x == columns || y == rows) continue;
-            for (const uint32_t corner : {i, i + 1, i + columns + 1, i + 1, i + columns + 2, i + columns + 1})
-                part.indices.push_back(corner);
-        }
-    return model;
-}
-
-// What preparing a character does besides reading and levels: building its template, saving that, and loading it.
-TEST(BuildWork, GrowsWithTheTriangles)
-{
-    uint64_t work[2][3];
-    for (const size_t k : {0u, 1u}) {
-        const uint32_t count = k == 0 ? 300 : 3000;
-        const model::Model model = net_of(count);
-        model::Template made(std::pmr::get_default_resource()), loaded(std::pmr::get_default_resource());
-        std::pmr::vector<uint8_t> bytes;
-        work[k][0] = blocks_entered([&] { meshsplit::build(model, {}, made); });
-        work[k][1] = blocks_entered([&] { model::save(made, bytes); });
-        work[k][2] = blocks_entered([&] { model::load(bytes.data(), bytes.size(), loaded); });
-        EXPECT_GT(made.report.dirty, 0u);
-        EXPECT_EQ(loaded.report.triangles, count);
-    }
-    for (const size_t i : {0u, 1u, 2u}) {
-        EXPECT_GT(work[0][i], 30000u) << i << ": nothing is counted";
-        EXPECT_LE(work[1][i], 16 * work[0][i]) << i;
-        RecordProperty("growth " + std::to_string(i), std::to_string(double(work[1][i]) / double(work[0][i])));
-    }
-}
-
 TEST(BuildWork, HoursOfMotionOfManyNodesKeepTheirChannels)
 {
     const Bytes bytes = long_clips(300, 1, 4000);
