@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 #include "lib/api/boundary.h"
 
@@ -34,7 +36,7 @@ class Reader
 {
 public:
     Reader(const model::Template &tmpl, std::pmr::memory_resource *memory, model::Array<uint32_t> &written)
-        : tmpl_(tmpl), memory_(memory), written_(written)
+        : tmpl_(tmpl), memory_(memory), written_(written), named_(memory)
     {
     }
 
@@ -49,14 +51,18 @@ private:
     void read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<crowd::DofValue> &values);
     void read_poses(uint32_t count, const clq_dof_pose *from, model::Array<crowd::DofPose> &to,
                     model::Array<crowd::DofValue> &values);
-    void writes(uint32_t dof)
+    // Returns whether a pose of this number named it before.
+    bool writes(uint32_t dof, uint32_t pose)
     {
-        if (std::find(written_.begin(), written_.end(), dof) == written_.end()) written_.push_back(dof);
+        const auto [last, is_new] = named_.try_emplace(dof, pose);
+        if (is_new) written_.push_back(dof);
+        return !is_new && std::exchange(last->second, pose) == pose;
     }
 
     const model::Template &tmpl_;
     std::pmr::memory_resource *memory_;
     model::Array<uint32_t> &written_;
+    std::pmr::map<uint32_t, uint32_t> named_;  // what is written, and the last pose that did; ordered: never slow
 };
 
 uint32_t Reader::turn(const char *name, uint32_t dof)
@@ -69,7 +75,7 @@ uint32_t Reader::turn(const char *name, uint32_t dof)
     if (rig.dofs[dof].kind != model::DofKind::rotation)
         fail(CLQ_ARGUMENT, "%s is degree of freedom %u '%s', which is no rotation", name, dof,
              rig.dof_names[dof].c_str());
-    writes(dof);
+    writes(dof, model::none);
     return dof;
 }
 
@@ -78,7 +84,6 @@ void Reader::read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<cr
     const model::Rig &rig = tmpl_.rig;
     if (pose.count && !pose.values)
         fail(CLQ_ARGUMENT, "the values of pose %u are NULL with a count of %u", index, pose.count);
-    const size_t first = values.size();
     for (uint32_t i = 0; i < pose.count; ++i) {
         const clq_dof_value &value = pose.values[i];
         if (value.dof >= rig.dofs.size())
@@ -90,11 +95,9 @@ void Reader::read_pose(const clq_dof_pose &pose, uint32_t index, model::Array<cr
         if (!(value.value >= dof.min && value.value <= dof.max))
             fail(CLQ_ARGUMENT, "pose %u puts degree of freedom %u '%s' at %g: its range is %g to %g", index, value.dof,
                  name, double(value.value), double(dof.min), double(dof.max));
-        for (size_t k = first; k < values.size(); ++k)
-            if (values[k].dof == value.dof)
-                fail(CLQ_ARGUMENT, "pose %u names degree of freedom %u '%s' twice", index, value.dof, name);
+        if (writes(value.dof, index))
+            fail(CLQ_ARGUMENT, "pose %u names degree of freedom %u '%s' twice", index, value.dof, name);
         values.push_back({value.dof, value.value});
-        writes(value.dof);
     }
 }
 
