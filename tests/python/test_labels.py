@@ -1,17 +1,10 @@
 """Labels from Python: arrays that agree with the picture and with each other."""
 
 import numpy
-import pytest
 
 import claque
 from claque import abi
-
-try:
-    claque.Offscreen(8, 8).close()
-    MISSING = ""
-except claque.Error as error:
-    MISSING = str(error)
-drawing = pytest.mark.skipif(bool(MISSING), reason=MISSING)
+from drawing import drawing
 
 
 def exact_crowd(context, citizen):

@@ -6,17 +6,11 @@ import subprocess
 import sys
 
 import numpy
-import pytest
 
 import claque
+from drawing import drawing
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-try:
-    claque.Offscreen(8, 8).close()
-    MISSING = ""
-except claque.Error as error:
-    MISSING = str(error)
-drawing = pytest.mark.skipif(bool(MISSING), reason=MISSING)
 
 
 def picture_of(context, crowd, citizen, strategy="fused"):
