@@ -1,4 +1,4 @@
-// State machines for `claque bench readers`.
+// State machines, and saves of stages, for `claque bench readers`.
 #include <claque/agents.h>
 #include <claque/stage.h>
 
@@ -90,21 +90,76 @@ std::string comments(uint32_t count)
     return repeated(one_state(""), count, [](uint32_t i) { return "# " + digits(i) + "\n"; });
 }
 
+// A stage for people of one template.
+struct Stage {
+    Own<clq_template> tmpl;
+    clq_stage *stage = nullptr;
+
+    explicit Stage(scenes::Library &library) : tmpl(template_of(library, gltf_with_animations(1)))
+    {
+        scenes::check(clq_stage_create(library.context(), nullptr, &stage));
+    }
+    ~Stage() { clq_stage_destroy(stage); }
+    Stage(const Stage &) = delete;
+    Stage &operator=(const Stage &) = delete;
+
+    clq_status add(const std::string &text, clq_machine *made) const
+    {
+        const clq_template *const templates[] = {tmpl.get()};
+        clq_machine_def def = clq_machine_def_init();
+        def.template_count = 1, def.templates = templates;
+        def.source.text = text.data(), def.source.text_bytes = text.size(), def.source.name = "machine";
+        return clq_stage_add_machine(stage, &def, made);
+    }
+};
+
 Reading read_machine(scenes::Library &library, const std::string &bytes)
 {
-    const Own<clq_template> tmpl = template_of(library, gltf_with_animations(1));
-    const clq_template *const templates[] = {tmpl.get()};
-    clq_stage *stage = nullptr;
-    scenes::check(clq_stage_create(library.context(), nullptr, &stage));
-    clq_machine_def def = clq_machine_def_init();
-    def.template_count = 1, def.templates = templates;
-    def.source.text = bytes.data(), def.source.text_bytes = bytes.size(), def.source.name = "machine";
-    const Reading out = timed([&] {
+    const Stage on(library);
+    return timed([&] {
         clq_machine made;
-        return outcome_of(clq_stage_add_machine(stage, &def, &made));
+        return outcome_of(on.add(bytes, &made));
     });
-    clq_stage_destroy(stage);
+}
+
+// Whose agents have a task each: to enter their first state.
+std::string saved_agents(uint32_t count)
+{
+    scenes::Library library(1);
+    const Stage on(library);
+    clq_agent_def def = clq_agent_def_init();
+    def.tmpl = on.tmpl.get();
+    scenes::check(on.add(one_state(""), &def.machine));
+    clq_agent made;
+    for (uint32_t i = 0; i < count; ++i) scenes::check(clq_stage_add_agent(on.stage, &def, &made));
+    std::string out;
+    scenes::check(clq_stage_save(on.stage, append_bytes, &out));
     return out;
+}
+
+// To one agent.
+std::string saved_messages(uint32_t count)
+{
+    scenes::Library library(1);
+    const Stage on(library);
+    clq_agent_def def = clq_agent_def_init();
+    def.tmpl = on.tmpl.get();
+    scenes::check(on.add(one_state(""), &def.machine));
+    clq_stage_event event = clq_stage_event_init();
+    event.name = "go";
+    scenes::check(clq_stage_add_agent(on.stage, &def, &event.to));
+    for (uint32_t i = 0; i < count; ++i) event.at_s = i, scenes::check(clq_stage_send(on.stage, &event));
+    std::string out;
+    scenes::check(clq_stage_save(on.stage, append_bytes, &out));
+    return out;
+}
+
+Reading read_stage(scenes::Library &library, const std::string &bytes)
+{
+    const Stage on(library);
+    clq_machine made;
+    scenes::check(on.add(one_state(""), &made));
+    return timed([&] { return outcome_of(clq_stage_restore(on.stage, nullptr, bytes.data(), bytes.size())); });
 }
 
 }  // namespace
@@ -122,7 +177,9 @@ std::vector<ReaderElement> reader_elements_of_machines()
             {"machine", "terms of an expression", 100, terms, read_machine},
             {"machine", "variables", 64, variables, read_machine},
             {"machine", "events", 240, events, read_machine},
-            {"machine", "lines of comment", most_elements, comments, read_machine}};
+            {"machine", "lines of comment", most_elements, comments, read_machine},
+            {"stage", "agents", most_elements, saved_agents, read_stage},
+            {"stage", "messages to one agent", most_elements, saved_messages, read_stage}};
 }
 
 }  // namespace cli

@@ -90,10 +90,12 @@ Reading read_record(scenes::Library &library, const std::string &bytes)
     });
     const std::unique_ptr<clq_record, DestroyRecord> own(record);
     if (out.loaded != "ok") return out;
-    // In sequence: every call is made.
+    // Step by step, as a film plays it. Calls between two steps that are far apart may be left out by way of a state.
     const double begin = processor_ms();
-    clq_status status = clq_record_play_step(record, made, 0);
-    if (status == CLQ_OK) status = clq_record_play(record, made, 1e9);
+    clq_record_info info = clq_record_info_init();
+    clq_status status = clq_record_get_info(record, &info);
+    for (uint64_t step = 0; status == CLQ_OK && step <= info.step_count; ++step)
+        status = clq_record_play_step(record, made, step);
     out.built = outcome_of(status);
     out.build_ms = processor_ms() - begin;
     return out;

@@ -43,6 +43,19 @@ std::string petrack_comments(uint32_t count)
     return repeated(petrack_rows(2), count, [](uint32_t i) { return "# " + digits(i) + "\n"; });
 }
 
+std::string jpsreport_rows(uint32_t count)
+{
+    return repeated("#framerate: 5\n#ID\tFR\tX\tY\n", count,
+                    [](uint32_t i) { return "1\t" + digits(i) + "\t" + walked(i) + "\t0\n"; });
+}
+
+const char *const table_head = "# a table\n";
+
+std::string table_rows(uint32_t count)
+{
+    return repeated(table_head, count, [](uint32_t i) { return "1;" + digits(i) + ";" + walked(i) + ";0\n"; });
+}
+
 std::string obsmat_rows(uint32_t count)
 {
     return repeated("", count, [](uint32_t i) {
@@ -156,6 +169,7 @@ Reading read_tracks(scenes::Library &library, const std::string &bytes)
         clq_trajectories_def def = clq_trajectories_def_init();
         const bool is_vsp = bytes.find("splines") < 60;  // whose units are pixels
         if (is_vsp) def.metres_per_unit = 0.01;
+        if (bytes.rfind(table_head, 0) == 0) def.columns = "id,frame,x,y", def.rate_hz = 5, def.metres_per_unit = 1;
         clq_trajectories *made = nullptr;
         const clq_status status = clq_trajectories_load_memory(library.context(), bytes.data(), bytes.size(),
                                                                is_vsp ? "a.vsp" : nullptr, &def, &made);
@@ -175,6 +189,8 @@ std::vector<ReaderElement> reader_elements_of_tracks()
             {"tracks", "gaps of one person", most_elements, petrack_gaps, read_tracks},
             {"tracks", "rows out of order", most_elements, petrack_disordered, read_tracks},
             {"tracks", "lines of comment", most_elements, petrack_comments, read_tracks},
+            {"tracks", "rows of JPSreport", most_elements, jpsreport_rows, read_tracks},
+            {"tracks", "rows of a table", most_elements, table_rows, read_tracks},
             {"tracks", "rows of ETH", most_elements, obsmat_rows, read_tracks},
             {"tracks", "steps of Vadere", most_elements, vadere_steps, read_tracks},
             {"tracks", "rows of Pathfinder", most_elements, pathfinder_rows, read_tracks},

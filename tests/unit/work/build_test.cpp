@@ -5,7 +5,6 @@
 
 #include "../asset/heap_meter.h"
 #include "attacks.h"
-#include "lib/model/template_file.h"
 #include "lib/pose/pose.h"
 #include "work_counter.h"
 

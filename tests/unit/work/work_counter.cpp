@@ -14,6 +14,8 @@ extern "C" void __sanitizer_cov_trace_pc() { ++entered; }
 namespace claque::testing
 {
 
+uint64_t blocks_entered() { return entered; }
+
 uint64_t blocks_entered(const std::function<void()> &job)
 {
     const uint64_t before = entered;

@@ -9,5 +9,7 @@ namespace claque::testing
 {
 
 uint64_t blocks_entered(const std::function<void()> &job);
+// Since the calling thread began.
+uint64_t blocks_entered();
 
 }  // namespace claque::testing
