@@ -7,7 +7,6 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
-#include "samples/cli/reader_law.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/cli/track_arguments.h"
 
@@ -85,11 +84,32 @@ void bench(const BenchArguments &a)
     if (is_of_readers(a)) readers::expect_lawful(report);
 }
 
+void add_law_options(CLI::App &command, BenchArguments &a)
+{
+    command
+        .add_option("--most-ratio", a.reader_law.most_ratio,
+                    "readers: the most times the time that ten times the elements may take, or the command ends with "
+                    "1; without it 16, and more where the caches of the processor end")
+        ->check(CLI::Range(1e-6, 1e6));
+    command
+        .add_option("--least-ms", a.reader_law.least_ms,
+                    "readers: shorter times are not judged, in milliseconds of processor time")
+        ->check(CLI::Range(0.0, 1e6))
+        ->capture_default_str();
+}
+
+void refuse_law_options(const CLI::App &command)
+{
+    for (const char *option : {"--most-ratio", "--least-ms"})
+        if (command.count(option) > 0) throw CLI::ValidationError(option, "judges readers alone");
+}
+
 void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tracks)
 {
     expect_subject(a.subject, a.setup);
     const bool walks = names_trajectories(a.subject);
     if (!walks) refuse_track_options(command);
+    if (!is_of_readers(a)) refuse_law_options(command);
     if (has_no_scene(a)) return;
     read_scenario(a.setup);
     if (walks) tracks.file = a.subject, a.setup.described = scenario_of(tracks);
@@ -205,6 +225,7 @@ void add_bench(CLI::App &app, Work &chosen)
                   "For a scene of actors: also write how often each operation of S0's Table 1 was done, for claque "
                   "cost --measured")
         ->type_name("FILE");
+    add_law_options(*c, *a);
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
     add_hide_option(*c, a->setup);

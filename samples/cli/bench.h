@@ -1,6 +1,7 @@
 // The measurements of `claque bench`, and how they are printed.
 #pragma once
 
+#include "samples/cli/reader_law.h"
 #include "samples/cli/scene_arguments.h"
 
 namespace cli
@@ -18,6 +19,7 @@ struct BenchArguments {
     std::string save;
     std::string operations;      // file for `claque cost --measured`
     std::string clock = "wall";  // or "processor"
+    readers::Law reader_law;
     int frames = 25;
     bool json = false, markdown = false;
 };

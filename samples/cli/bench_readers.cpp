@@ -41,16 +41,16 @@ Reading read(const ReaderElement &e, scenes::Library &library, const std::string
     return best;
 }
 
-Json row(scenes::Library &library, const ReaderElement &e, uint32_t most)
+Json row(scenes::Library &library, const ReaderElement &e, uint32_t most, const Law &law)
 {
     const uint32_t count = std::min(e.limit, most);
     const std::string few_bytes = e.make(std::max(count / 10, 1u)), many_bytes = e.make(count);
     Reading few = read(e, library, few_bytes), many = read(e, library, many_bytes);
-    const auto holds = [&] { return is_lawful(e.format, e.element, few, many); };
+    const auto holds = [&] { return is_lawful(e.format, e.element, few, many, law); };
     // Other programs take the caches of the processor: a ratio that is too large has to be so more than once.
     for (int i = 1; i < tries && !holds(); ++i)
         take_better(few, read(e, library, few_bytes)), take_better(many, read(e, library, many_bytes));
-    const double load = ratio(few.load_ms, many.load_ms), build = ratio(few.build_ms, many.build_ms);
+    const double load = ratio(few.load_ms, many.load_ms, law), build = ratio(few.build_ms, many.build_ms, law);
     return {{"format", e.format},
             {"element", e.element},
             {"count", count},
@@ -61,20 +61,20 @@ Json row(scenes::Library &library, const ReaderElement &e, uint32_t most)
             {"build_ms", many.build_ms},
             {"build_ratio", build},
             {"built", many.built},
-            {"most_ratio", most_ratio_of(e.format, e.element)},
+            {"most_ratio", most_ratio_of(e.format, e.element, law)},
             {"lawful", holds()}};
 }
 
 }  // namespace
 
-static Json rows(uint32_t most)
+static Json rows(uint32_t most, const Law &law)
 {
     Progress progress("claque bench");
     scenes::Library library(1);
     Json out = Json::array();
     const std::vector<ReaderElement> all = reader_elements();
     for (const ReaderElement &element : all) {
-        out.push_back(row(library, element, most));
+        out.push_back(row(library, element, most, law));
         progress.step(out.size(), all.size());
     }
     return out;
@@ -86,7 +86,11 @@ bool is_of_readers(const BenchArguments &a) { return a.subject == "readers"; }
 
 Json bench_readers(const BenchArguments &a)
 {
-    return {{"claque", version()}, {"most_ratio", readers::most_ratio}, {"runs", readers::rows(a.counts[0])}};
+    const readers::Law &law = a.reader_law;
+    return {{"claque", version()},
+            {"most_ratio", law.most_ratio > 0 ? law.most_ratio : readers::most_ratio},
+            {"least_ms", law.least_ms},
+            {"runs", readers::rows(a.counts[0], law)}};
 }
 
 void print_readers(const Json &report)

@@ -82,11 +82,48 @@ TEST_F(BenchReaders, PrintALineForEachElement)
     EXPECT_FALSE(std::getline(lines, line)) << line;
 }
 
+TEST_F(BenchReaders, EndWithOneAndNameWhatTakesMoreThanMayBe)
+{
+    const Outcome done = claque(
+        {"bench", "readers", "--count", "300", "--most-ratio", "0.001", "--least-ms", "0", "--save", path("r.json")});
+    EXPECT_EQ(done.code, 1);
+    const Json report = Json::parse(file_text(path("r.json")));
+    EXPECT_EQ(report["most_ratio"], 0.001);
+    EXPECT_EQ(report["least_ms"], 0);
+    const std::string begin = "claque: ten times the elements take too many times the time: ";
+    ASSERT_EQ(done.err.rfind(begin, 0), 0u) << done.err;
+    const std::string named = ", " + done.err.substr(begin.size());
+    size_t unlawful = 0;
+    for (const Json &run : report["runs"]) {
+        const double most = std::max(run["load_ratio"].get<double>(), run["build_ratio"].get<double>());
+        EXPECT_EQ(run["lawful"], most <= 0.001) << run;
+        char numbers[100];
+        std::snprintf(numbers, sizeof numbers, " (%.3g, at most 0.001)", most);
+        const std::string name =
+            ", " + run["format"].get<std::string>() + " " + run["element"].get<std::string>() + numbers;
+        EXPECT_EQ(named.find(name) != std::string::npos, !run["lawful"].get<bool>()) << name;
+        unlawful += !run["lawful"].get<bool>();
+    }
+    EXPECT_GE(2 * unlawful, report["runs"].size());
+}
+
+TEST_F(BenchReaders, AreAllThatIsJudged)
+{
+    for (const char *option : {"--most-ratio", "--least-ms"}) {
+        const Outcome done = claque({"bench", "plaza", option, "2"});
+        EXPECT_EQ(done.code, 2);
+        EXPECT_NE(done.err.find(std::string(option) + ": judges readers alone"), std::string::npos) << done.err;
+    }
+    for (const char *ratio : {"0", "-1", "much"})
+        EXPECT_EQ(claque({"bench", "readers", "--most-ratio", ratio}).code, 2) << ratio;
+}
+
 // What is said of times of reading, and of building from what was read.
-bool holds(const char *format, const char *element, double few_ms, double many_ms, double build_ms = 0)
+bool holds(const char *format, const char *element, double few_ms, double many_ms, double build_ms = 0,
+           const cli::readers::Law &law = {})
 {
     const cli::Reading few = {few_ms, few_ms}, many = {many_ms, build_ms};
-    return cli::readers::is_lawful(format, element, few, many);
+    return cli::readers::is_lawful(format, element, few, many, law);
 }
 
 TEST(LawOfReaders, AllowsSixteenTimesTheTimeForTenTimesTheElements)
@@ -110,6 +147,19 @@ TEST(LawOfReaders, AllowsMoreWhereTheCachesOfTheProcessorEnd)
     EXPECT_FALSE(holds("tracks", "attributes of SUMO", 10, 401));
 }
 
+TEST(LawOfReaders, IsAsStrictAsIsAskedFor)
+{
+    cli::readers::Law law;
+    law.most_ratio = 8;
+    EXPECT_TRUE(holds("glTF", "nodes", 10, 80, 0, law));
+    EXPECT_FALSE(holds("glTF", "nodes", 10, 81, 0, law));
+    EXPECT_FALSE(holds("save", "layers", 10, 81, 0, law)) << "no element has a limit of its own then";
+    EXPECT_TRUE(holds("glTF", "nodes", 1, 19, 0, law));
+    law.least_ms = 10;
+    EXPECT_FALSE(holds("glTF", "nodes", 1, 19, 0, law));
+    EXPECT_TRUE(holds("glTF", "nodes", 1, 9.9, 0, law));
+}
+
 TEST(LawOfReaders, ABrokenOneFailsTheCommandAndIsNamed)
 {
     const auto row = [](const char *element, bool lawful) {
@@ -123,8 +173,9 @@ TEST(LawOfReaders, ABrokenOneFailsTheCommandAndIsNamed)
         cli::readers::expect_lawful(report);
         ADD_FAILURE() << "nothing was said";
     } catch (const scenes::Failure &failure) {
-        EXPECT_STREQ(failure.what(), "ten times the elements take too many times the time: area holes (89.0, at most "
-                                     "16), area obstacles (89.0, at most 16)");
+        EXPECT_STREQ(failure.what(),
+                     "ten times the elements take too many times the time: area holes (89, at most "
+                     "16), area obstacles (89, at most 16)");
     }
 }
 
