@@ -52,7 +52,7 @@ def run(machine, jobs):
         text=True,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
-        env={**os.environ, "GTEST_OUTPUT": f"json:{folder}/"},
+        env={**os.environ, "GTEST_OUTPUT": f"json:{'Z:' if machine == 'mingw' else ''}{folder}/"},  # Wine's name for /
     )
     (folder / "log").write_text(done.stdout)
     absent = re.search(r"^skipped: test-\w+ needs (.*)$", done.stdout, re.M)
