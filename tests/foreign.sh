@@ -1,6 +1,6 @@
 #!/bin/sh
-# foreign.sh i386|arm64|mingw|nehalem [JOBS]: builds libclaque for another machine and runs its tests that need no OpenGL
-# and no files. Nehalem is an emulated processor of 2008, without AVX and AVX2.
+# foreign.sh i386|arm64|mingw|nehalem [JOBS]: builds libclaque for another machine and runs its tests that need no
+# OpenGL and no files. Nehalem is an emulated processor of 2008, without AVX and AVX2.
 set -eu
 cd "$(dirname "$0")/.."
 preset=$1 jobs=${2:-$(nproc)}

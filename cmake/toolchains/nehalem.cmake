@@ -1,4 +1,5 @@
-# A processor of 2008, without AVX, AVX2 and FMA, under user-mode QEMU. This machine's compiler, which must be for x86-64.
+# A processor of 2008, without AVX, AVX2 and FMA, under user-mode QEMU. The compiler is this machine's own, which has to
+# be one for x86-64.
 set(CMAKE_SYSTEM_NAME Linux)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)
 set(CMAKE_C_COMPILER gcc)
