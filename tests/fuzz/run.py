@@ -25,6 +25,7 @@ LIMITS = [
     '-detect_leaks=1',
     '-reload=0',
 ]
+SLOWEST_S = 25  # of processor time, for one input
 MERGED_BYTES = 29000  # of one corpus in the tree
 
 
@@ -80,41 +81,74 @@ def options(name):
     return LIMITS + (['-dict=' + words] if os.path.exists(words) else [])
 
 
-def fuzz(name, seconds, seed):
-    """Returns a row of the table. Seed 0 is another one each time."""
-    log_path, kept = os.path.join(OUT, name + '.log'), os.path.join(OUT, name + '-')
-    for old in os.listdir(OUT):
-        if re.match(re.escape(name) + '-(crash|leak|timeout|oom)-', old):
-            os.remove(os.path.join(OUT, old))
+def hangs(name, path):
+    """Whether an input takes so much processor time that it was no loaded machine that made it slow."""
+    process = subprocess.Popen([program(name), path], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    used = 0.0
+    while process.poll() is None and used < SLOWEST_S:
+        used = max(used, cpu_seconds(process.pid))
+        time.sleep(0.05)
+    process.kill()
+    return used >= SLOWEST_S or process.wait() not in (0, -signal.SIGKILL)
+
+
+def findings(name):
+    kinds = re.escape(name) + '-(crash|leak|timeout|oom)-'
+    return sorted(f for f in os.listdir(OUT) if re.match(kinds, f))
+
+
+def run_for(name, seconds, seed, log):
+    """Runs a fuzzer for so much processor time and returns what it used, and how it ended."""
     environment = dict(os.environ, ASAN_OPTIONS='detect_odr_violation=0:allocator_may_return_null=1')
-    with open(log_path, 'w') as log:
-        process = subprocess.Popen(
-            [program(name), '-artifact_prefix=' + kept, '-seed=%d' % seed] + options(name) + folders(name),
-            cwd=OUT,
-            stdout=log,
-            stderr=subprocess.STDOUT,
-            env=environment,
-        )
-        used = 0.0
-        while process.poll() is None:
-            used = max(used, cpu_seconds(process.pid))
-            if used >= seconds:
-                process.send_signal(signal.SIGUSR1)  # libFuzzer ends after this input
-                try:
-                    process.wait(60)
-                except subprocess.TimeoutExpired:
-                    process.kill()
-                    process.wait()
-                break
-            time.sleep(0.2)
-    with open(log_path, errors='replace') as log:
-        text = log.read()
-    number = lambda pattern: (re.findall(pattern, text) or ['0'])[-1]
-    executions = number(r'stat::number_of_executed_units: (\d+)')
-    executions = executions if executions != '0' else number(r'(?m)^#(\d+)')
-    found = sorted(f for f in os.listdir(OUT) if re.match(re.escape(name) + '-(crash|leak|timeout|oom)-', f))
-    if process.returncode and not found:
-        found = ['exit %d, see out/fuzz/%s.log' % (process.returncode, name)]
+    process = subprocess.Popen(
+        [program(name), '-artifact_prefix=' + os.path.join(OUT, name + '-'), '-seed=%d' % seed]
+        + options(name)
+        + folders(name),
+        cwd=OUT,
+        stdout=log,
+        stderr=subprocess.STDOUT,
+        env=environment,
+    )
+    used = 0.0
+    while process.poll() is None:
+        used = max(used, cpu_seconds(process.pid))
+        if used >= seconds:
+            process.send_signal(signal.SIGUSR1)  # libFuzzer ends after this input
+            try:
+                process.wait(60)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+            break
+        time.sleep(0.2)
+    return used, process.returncode
+
+
+def fuzz(name, seconds, seed):
+    """Returns a row of the table. Seed 0 is another one each time. A hang by the clock that takes little processor time
+    is no finding: the fuzzer goes on for the time that is left."""
+    log_path = os.path.join(OUT, name + '.log')
+    for old in findings(name):
+        os.remove(os.path.join(OUT, old))
+    used, executions, runs, returncode = 0.0, 0, 0, 0
+    while used < seconds - 1 or runs == 0:
+        with open(log_path, 'w') as log:
+            took, returncode = run_for(name, seconds - used, seed + runs if seed else 0, log)
+        used, runs = used + took, runs + 1
+        with open(log_path, errors='replace') as log:
+            text = log.read()
+        number = lambda pattern: (re.findall(pattern, text) or ['0'])[-1]
+        done = number(r'stat::number_of_executed_units: (\d+)')
+        executions += int(done if done != '0' else number(r'(?m)^#(\d+)'))
+        found = findings(name)
+        if not found or any('-timeout-' not in f or hangs(name, os.path.join(OUT, f)) for f in found):
+            break
+        for slow in found:
+            os.remove(os.path.join(OUT, slow))
+        returncode = 0
+    found = findings(name)
+    if returncode and not found:
+        found = ['exit %d, see out/fuzz/%s.log' % (returncode, name)]
     return [name, '%.0f' % used, executions, number(r'\bcov: (\d+)'), number(r'\bft: (\d+)'), ' '.join(found) or '-']
 
 
