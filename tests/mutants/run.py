@@ -3,8 +3,8 @@
 
 run.py [--some N] [--jobs N] [PATTERN...]: puts each mutant whose name LAW/NAME matches a pattern into a copy of the
 tree in build/mutants, builds the tests that it names, and runs them. A mutant that no longer applies, that does not
-compile, or that no test sees is a failure. With --some, N mutants chosen by the commit; those whose tests are skipped
-on this machine are then told and not tried. README.md beside this file describes the files.
+compile, or that no test sees is a failure. With --some, N mutants chosen by the committed tree; those whose tests are
+skipped on this machine are then told and not tried. README.md beside this file describes the files.
 
 Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the
 environment variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
@@ -232,9 +232,9 @@ def try_groups(placed, source, jobs, may_skip, report):
 
 
 def chosen(mutants, count):
-    """Others for each commit; the same for one commit."""
-    commit = subprocess.run(["git", "rev-parse", "HEAD"], cwd=SOURCE, capture_output=True, text=True).stdout
-    return sorted(mutants, key=lambda mutant: hashlib.sha256((commit + mutant.name).encode()).digest())[:count]
+    """Others for each committed tree; the same for one tree, in whatever commit it is."""
+    tree = subprocess.run(["git", "rev-parse", "HEAD^{tree}"], cwd=SOURCE, capture_output=True, text=True).stdout
+    return sorted(mutants, key=lambda mutant: hashlib.sha256((tree + mutant.name).encode()).digest())[:count]
 
 
 def selected(options):
@@ -249,7 +249,7 @@ def selected(options):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("patterns", nargs="*", help="names of mutants, with * and ?; all without")
-    parser.add_argument("--some", type=int, help="this many, chosen by the commit")
+    parser.add_argument("--some", type=int, help="this many, chosen by the committed tree")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     mutants = selected(options)
