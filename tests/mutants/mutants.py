@@ -3,6 +3,8 @@ import re
 import sys
 import zlib
 
+from expressions import is_whole
+
 
 class Mutant:
     def __init__(self, name, where):
@@ -52,6 +54,10 @@ def read_mutants(path):
     return mutants
 
 
+def is_statement(code):
+    return code.rstrip()[-1] in ";}"
+
+
 def place_edits(mutant, source):
     """[(file, start, end, text)] of a mutant, or a sentence why it does not apply. All white space is equal."""
     places = []
@@ -64,7 +70,10 @@ def place_edits(mutant, source):
             return None, f"{file} has its lines {len(found)} times"
         if words == " ".join(put).split():
             return None, "it changes nothing"
-        places.append((file, found[0].start(), found[0].end(), "\n".join(put)))
+        text, start, end = source[file].decode(), found[0].start(), found[0].end()
+        if not mutant.alone and not is_statement(text[start:end]) and not is_whole(text, start, end):
+            return None, f"{words} is a part of an expression of {file} that parentheses would change"
+        places.append((file, start, end, "\n".join(put)))
     return places, ""
 
 
@@ -89,7 +98,7 @@ def grouped(placed):
 
 def switched(old, choices):
     """Code that is `old` unless one of the (id, text) is chosen: an expression, or statements without declarations."""
-    if old.rstrip()[-1] in ";}":
+    if is_statement(old):
         mutated = " else ".join(f"if (::claque_mutant({key})) {{ {text}\n}}" for key, text in choices)
         return f"{{ {mutated} else {{ {old} }} }}"
     return "(" + "".join(f"::claque_mutant({key}) ? ({text}) : " for key, text in choices) + f"({old}))"

@@ -1,0 +1,66 @@
+"""Whether a piece of C++ is a whole part of the expression round it, so that parentheses round it change nothing."""
+import re
+
+PRECEDENCE = {op: level for level, ops in enumerate((
+    (",",),
+    ("=", "+=", "-=", "*=", "/=", "%=", "&=", "|=", "^=", "<<=", ">>=", "?", ":"),
+    ("||",), ("&&",), ("|",), ("^",), ("&",),
+    ("==", "!="), ("<", ">", "<=", ">="), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))) for op in ops}
+UNARY, POSTFIX = 20, 30
+# Operators of which `a op (b op c)` is `(a op b) op c`.
+GROUPS_ALIKE = ("&&", "||", "|", "&", "^", ",")
+TOKEN = re.compile(r"""\s+|//[^\n]*|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])+'|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|[\w.'])*"""
+                   r"""|<<=|>>=|->|::|\+\+|--|[-+*/%&|^=!<>]=|&&|\|\||<<|>>|.""", re.S)
+ARGUMENTS = re.compile(r"(?<=\w)<[\w:,*&\s]*(?:<[\w:,*&\s]*>[\w:,*&\s]*)*>(?=\s*[({:]|\s+\w+[({;=]|>)")
+CLOSES = set(")]")
+WORDS_BEFORE_OPERANDS = {"return", "case", "else", "throw", "co_return"}
+
+
+def tokens_of(text):
+    text = ARGUMENTS.sub(lambda found: " " * len(found[0]), text)  # of templates
+    return [t for t in TOKEN.findall(text) if not t.isspace() and not t.startswith("//")]
+
+
+def is_operand(token):
+    return token in CLOSES or token not in WORDS_BEFORE_OPERANDS and bool(re.match(r"[\w\"'.]", token[-1]))
+
+
+def binds(token, before):
+    """The precedence of an operator after a token, or nothing."""
+    if token in (".", "->", "::", "["):
+        return POSTFIX
+    if token in ("!", "~", "++", "--") or token in "+-*&" and not (before and is_operand(before)):
+        return UNARY
+    return PRECEDENCE.get(token)
+
+
+def loosest(tokens):
+    """The operator outside parentheses that binds the least, and its precedence."""
+    depth, before, found = 0, "", ("", POSTFIX)
+    for token in tokens:
+        if token in "([{":
+            depth += 1
+        elif token in ")]}":
+            depth -= 1
+        elif depth == 0:
+            level = binds(token, before)
+            if level is not None and level < found[1]:
+                found = (token, level)
+        before = token
+    return found
+
+
+def is_whole(text, start, end):
+    operator, level = loosest(tokens_of(text[start:end]))
+    begin = max(text.rfind(";", 0, start), text.rfind("}", 0, start)) + 1
+    ahead, behind = tokens_of(text[begin:start]), tokens_of(text[end:end + 80])
+    if ahead:
+        before = binds(ahead[-1], ahead[-2] if len(ahead) > 1 else "")
+        if before is not None and ahead[-1] not in ("?", ":", "=", "[", ","):
+            if before > level or before == level and not (ahead[-1] == operator and operator in GROUPS_ALIKE):
+                return False
+    if behind:
+        after = POSTFIX if behind[0] == "(" else binds(behind[0], ")")
+        if after is not None and after > level:
+            return False
+    return True
