@@ -16,13 +16,12 @@ using base::fail;
 using model::none;
 using record::Kind;
 
+// Any number, as a C host may pass it: the checks of the call read it as bits. A copy of such an enum is undefined.
 template <class Enum>
-Enum enum_of(record::EnumBits bits)
+void put(Enum &out, record::EnumBits bits)
 {
     static_assert(sizeof(Enum) == sizeof bits, "C hosts pass enums as int");
-    Enum out;
     std::memcpy(&out, &bits, sizeof out);
-    return out;
 }
 
 // Calls that make something gave it an id, which it has to get again.
@@ -62,7 +61,9 @@ public:
     {
         const uint32_t row = to_.row_of(id_of(c.actor));
         const crowd::Source source = crowd::source(to_, row, play_of(c.play), c.gait ? c.gait - 1 : none, c.share);
-        crowd::fade_to(to_, id_of(c.actor), source, c.at_s, c.length_s, curve_of(enum_of<clq_curve>(c.curve)));
+        clq_curve curve;
+        put(curve, c.curve);
+        crowd::fade_to(to_, id_of(c.actor), source, c.at_s, c.length_s, curve_of(curve));
     }
     void on(const record::ActorSetGaitShare &c)
     {
@@ -71,9 +72,10 @@ public:
     void on(const record::ActorAddLayer &c)
     {
         clq_layer_def def = clq_layer_def_init();
-        def.kind = enum_of<clq_layer_kind>(c.layer_kind), def.play = c.play, def.weight = c.weight;
-        def.loops = c.loops, def.fade_in_s = c.fade_in_s, def.fade_out_s = c.fade_out_s;
-        def.curve = enum_of<clq_curve>(c.curve), def.mask = {c.mask}, def.has_reference = c.has_reference;
+        put(def.kind, c.layer_kind), put(def.curve, c.curve);
+        def.play = c.play, def.weight = c.weight, def.loops = c.loops;
+        def.fade_in_s = c.fade_in_s, def.fade_out_s = c.fade_out_s;
+        def.mask = {c.mask}, def.has_reference = c.has_reference;
         def.reference_clip = c.reference_clip, def.reference_time_s = c.reference_time_s;
         const model::Template &tmpl = to_.template_of(to_.row_of(id_of(c.actor)));
         require_id("layer", {crowd::add_layer(to_, id_of(c.actor), layer_of(def, tmpl)), 0}, crowd::Id{c.made, 0});
