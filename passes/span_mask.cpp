@@ -24,10 +24,10 @@ struct Edge {
     }
 };
 
-// The first pixel whose centre is not before `at`.
+// The first pixel whose centre is not before `at`; 0 for NaN, which a vertex near the largest number may become.
 int32_t pixel_of(float at, int32_t end)
 {
-    const float x = std::clamp(at - 0.5f, -1.0f, static_cast<float>(end));
+    const float x = std::max(-1.0f, std::min(at - 0.5f, static_cast<float>(end)));
     const int32_t cut = static_cast<int32_t>(x);
     return std::max(0, cut + (static_cast<float>(cut) < x));
 }
