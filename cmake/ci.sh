@@ -77,8 +77,10 @@ bad_words='\*\*\*(Failed|Exception|Timeout|Not Run)'
 bad=$(count "^ *[0-9]+/[0-9]+ Test .*$bad_words")
 # The end of a log is what people read first: it names what failed, and says the first reasons.
 if [ "$bad" != 0 ]; then
-    cat out/ci-tests.log out/ci-sanitizers.log | grep -E -A 5 ': Failure$|^(==[0-9]+==)?ERROR: |: runtime error: ' | cut -c 1-160 | head -n 12
-    cat out/ci-tests.log out/ci-sanitizers.log | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" | tr -s ' .' | cut -c 1-160 | head -n 6
+    reasons=': Failure$|^(==[0-9]+==)?ERROR: |: runtime error: '
+    cat out/ci-tests.log out/ci-sanitizers.log | grep -E -A 5 "$reasons" | cut -c 1-160 | head -n 12
+    cat out/ci-tests.log out/ci-sanitizers.log | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" |
+        tr -s ' .' | cut -c 1-160 | head -n 6
 fi
 [ -z "$failed" ] || echo "failed:$failed"
 echo "$((all - skipped - bad)) passed, $bad failed, $skipped skipped"

@@ -1,4 +1,4 @@
-// Making a track of points, finding who passes whom, and reading a saved track grow with the points.
+// Making a track of points, finding its passings and reading a saved track take work in proportion to the points.
 #include <cmath>
 #include <string>
 #include <vector>
