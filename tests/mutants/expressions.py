@@ -1,4 +1,4 @@
-"""Whether a piece of C++ is a whole part of the expression round it, so that parentheses round it change nothing."""
+"""Whether a piece of C++ is a whole part of the code round it, so that parentheses or braces round it change nothing."""
 import re
 
 PRECEDENCE = {op: level for level, ops in enumerate((
@@ -14,6 +14,13 @@ TOKEN = re.compile(r"""\s+|//[^\n]*|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])+'|[A-Za-z_
 ARGUMENTS = re.compile(r"(?<=\w)<[\w:,*&\s]*(?:<[\w:,*&\s]*>[\w:,*&\s]*)*>(?=\s*[({:]|\s+\w+[({;=]|>)")
 CLOSES = set(")]")
 WORDS_BEFORE_OPERANDS = {"return", "case", "else", "throw", "co_return"}
+WORDS_OF_STATEMENTS = {"if", "else", "for", "while", "do", "switch", "case", "return", "break", "continue", "try",
+                       "catch", "goto"}
+WORDS_OF_DECLARATIONS = {"const", "static", "constexpr", "auto", "unsigned", "struct", "class", "enum", "using",
+                         "thread_local", "inline", "namespace", "template"}
+TYPE_AND_NAME = re.compile(r"(?!return\b|delete\b|throw\b|new\b|goto\b)[A-Za-z_][\w:]*(?:<[^;=()]*>)?(?:\s*[&*]+|\s)\s*"
+                           r"[A-Za-z_]\w*\s*(?:=(?!=)|\{|;|\(|\[)")
+AHEAD_OF_STATEMENTS = {"{", "}", ";", ")", ":", "else", "do"}
 
 
 def tokens_of(text):
@@ -50,7 +57,27 @@ def loosest(tokens):
     return found
 
 
+def is_statement(code):
+    return code.rstrip()[-1] in ";}"
+
+
 def is_whole(text, start, end):
+    return (is_whole_statement if is_statement(text[start:end]) else is_whole_expression)(text, start, end)
+
+
+def is_whole_statement(text, start, end):
+    """A statement that begins where one may, is no `else`, has none behind it if it is an `if`, and declares nothing."""
+    code = text[start:end]
+    first = tokens_of(code)[0]
+    if first == "if" and tokens_of(text[end:end + 80])[:1] == ["else"] or first == "else" or first in WORDS_OF_DECLARATIONS or TYPE_AND_NAME.match(code):
+        return False
+    ahead = tokens_of(re.sub(r"(?m)^#.*$", "", text[max(0, start - 400):start]))
+    return not ahead or ahead[-1] in AHEAD_OF_STATEMENTS
+
+
+def is_whole_expression(text, start, end):
+    if tokens_of(text[start:end])[0] in WORDS_OF_STATEMENTS | WORDS_OF_DECLARATIONS:
+        return False
     operator, level = loosest(tokens_of(text[start:end]))
     begin = max(text.rfind(";", 0, start), text.rfind("}", 0, start)) + 1
     ahead, behind = tokens_of(text[begin:start]), tokens_of(text[end:end + 80])

@@ -3,7 +3,7 @@ import re
 import sys
 import zlib
 
-from expressions import is_whole
+from expressions import is_statement, is_whole
 
 
 class Mutant:
@@ -54,10 +54,6 @@ def read_mutants(path):
     return mutants
 
 
-def is_statement(code):
-    return code.rstrip()[-1] in ";}"
-
-
 def place_edits(mutant, source):
     """[(file, start, end, text)] of a mutant, or a sentence why it does not apply. All white space is equal."""
     places = []
@@ -71,8 +67,8 @@ def place_edits(mutant, source):
         if words == " ".join(put).split():
             return None, "it changes nothing"
         text, start, end = source[file].decode(), found[0].start(), found[0].end()
-        if not mutant.alone and not is_statement(text[start:end]) and not is_whole(text, start, end):
-            return None, f"{words} is a part of an expression of {file} that parentheses would change"
+        if not mutant.alone and not is_whole(text, start, end):
+            return None, f"{' '.join(words)} is neither a whole expression nor a whole statement of {file}"
         places.append((file, start, end, "\n".join(put)))
     return places, ""
 

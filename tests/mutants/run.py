@@ -10,97 +10,46 @@ Mutants whose places do not overlap share one build: each place becomes `claque_
 environment variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
 """
 import argparse
+import concurrent.futures
 import fnmatch
 import hashlib
 import json
 import os
 import pathlib
+import queue
 import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import time
 
 sys.dont_write_bytecode = True
+from copied_tree import BUILD, HERE, LOG, ROOT, SOURCE, build, configure, log_tail, read_tree, run_logged, write_tree
 from mutants import fail, grouped, place_edits, read_mutants, texts_of
 
-HERE = pathlib.Path(__file__).resolve().parent
-SOURCE = HERE.parent.parent
-ROOT = SOURCE / "build" / "mutants"
-TREE = ROOT / "tree"
-BUILD = TREE / "build" / "mutants"
-LOG = ROOT / "log"
 
+class Workers:
+    """Folders for the files of tests that run side by side: two mutants may have the same test."""
 
-def read_tree():
-    """The files of the tree, which may change while this runs: {name: bytes}."""
-    return {name: (SOURCE / name).read_bytes() for name in tree_files()}
+    def __init__(self, count):
+        self.root = tempfile.TemporaryDirectory(prefix="claque-mutants-")
+        self.free = queue.Queue()
+        for number in range(count):
+            self.free.put(pathlib.Path(self.root.name) / str(number))
+        self.pool = concurrent.futures.ThreadPoolExecutor(count)
 
-
-def tree_files():
-    listed = subprocess.run(["git", "ls-files", "-co", "--exclude-standard"], cwd=SOURCE, capture_output=True,
-                            text=True)
-    if listed.returncode == 0:
-        return [name for name in listed.stdout.splitlines() if (SOURCE / name).is_file()]
-    found = []
-    for folder, folders, names in os.walk(SOURCE):
-        folders[:] = [f for f in folders if f not in ("build", "out", ".git")]
-        found += [os.path.relpath(os.path.join(folder, name), SOURCE) for name in names]
-    return found
-
-
-def write_tree(source, texts):
-    """Makes the copy the tree with these texts; a file of equal bytes keeps its time, so that it is not built again."""
-    for name, original in source.items():
-        copy = TREE / name
-        content = texts[name].encode() if name in texts else original
-        if not copy.is_file() or copy.read_bytes() != content:
-            copy.parent.mkdir(parents=True, exist_ok=True)
-            copy.write_bytes(content)
-            copy.chmod((SOURCE / name).stat().st_mode)
-    for folder, folders, files in os.walk(TREE):
-        folders[:] = [f for f in folders if f != "build"]
-        for name in files:
-            if os.path.relpath(os.path.join(folder, name), TREE) not in source:
-                os.remove(os.path.join(folder, name))
-    shared = ROOT / "shared"
-    if (SOURCE.parent / "shared").is_dir() and not shared.exists():
-        shared.symlink_to((SOURCE.parent / "shared").resolve())
-
-
-def run_logged(command, environment=None, limit_s=None):
-    """The exit status; None if it did not end in time."""
-    with open(LOG, "w") as log:
-        try:
-            return subprocess.run(command, stdout=log, stderr=subprocess.STDOUT, cwd=BUILD, timeout=limit_s,
-                                  env={**os.environ, **(environment or {})}).returncode
-        except subprocess.TimeoutExpired:
-            return None
-
-
-def log_tail(lines=15):
-    return "\n".join(LOG.read_text(errors="replace").splitlines()[-lines:])
-
-
-COMPILE = {"CCACHE_BASEDIR": str(TREE), "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
-
-
-def configure():
-    BUILD.mkdir(parents=True, exist_ok=True)
-    if (BUILD / "build.ninja").exists():
-        return
-    flags = "-O1 -DNDEBUG"
-    command = ["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
-               f"-DCMAKE_CXX_FLAGS={flags}", f"-DCMAKE_C_FLAGS={flags}", "-DCMAKE_UNITY_BUILD=ON",
-               "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DCLAQUE_TESTS=ON", "-DCLAQUE_BENCHMARKS=OFF"]
-    if shutil.which("ccache"):
-        command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache", "-DCMAKE_C_COMPILER_LAUNCHER=ccache"]
-    if run_logged(command, COMPILE) != 0:
-        fail(f"the copy cannot be configured\n{log_tail()}")
-
-
-def build(targets, jobs):
-    return run_logged(["cmake", "--build", str(BUILD), "-j", str(jobs), "--target", *sorted(targets)], COMPILE) == 0
+    def each(self, function, things):
+        """The results of function(thing, folder), in the order of the things."""
+        def in_a_folder(thing):
+            folder = self.free.get()
+            try:
+                shutil.rmtree(folder, ignore_errors=True)
+                folder.mkdir()
+                return function(thing, folder)
+            finally:
+                self.free.put(folder)
+        return self.pool.map(in_a_folder, things)
 
 
 def executable_of(target):
@@ -114,18 +63,20 @@ def cases_of(report):
     return [case for suite in report.get("testsuites", []) for case in suite.get("testsuite", [])]
 
 
-def run_test(test, limit_s, mutant_id=0):
+def run_test(test, folder, limit_s, mutant_id=0):
     """What happened, in a word, with the name of the first test that saw the mutant; and the seconds."""
     target, pattern, variables = test
-    report = ROOT / "report.json"
+    report, files = folder / "report.json", folder / "files"
     report.unlink(missing_ok=True)
+    files.mkdir(exist_ok=True)
     program = executable_of(target)
     environment = dict(variable.split("=", 1) for variable in variables)
     environment["CLAQUE_MUTANT"] = str(mutant_id)
-    environment["XDG_CACHE_HOME"] = str(ROOT / "cache")
+    environment["XDG_CACHE_HOME"] = str(folder / "cache")
+    environment["TMPDIR"] = environment["TEST_TMPDIR"] = str(files)
     begun = time.monotonic()
-    command = [str(program), f"--gtest_filter={pattern}", f"--gtest_output=json:{report}"]
-    status = run_logged(command, environment, limit_s)
+    command = [str(program), f"--gtest_filter={pattern}", f"--gtest_output=json:{report}", "--gtest_fail_fast"]
+    status = run_logged(command, environment, limit_s, folder / "log")
     seconds = time.monotonic() - begun
     if status is None:
         return "endless", f"{target} after {limit_s:.0f} s", seconds
@@ -154,28 +105,33 @@ def part_without_test(test):
     return None
 
 
-def check_baseline(mutants, may_skip):
+def check_baseline(mutants, may_skip, workers):
     """Every named test passes when no mutant is chosen; returns the seconds of each that is not skipped."""
-    seconds = {}
-    for test in sorted({test for mutant in mutants for test in mutant.tests}):
+    def check(test, folder):
         if part := part_without_test(test):
-            fail(f"no test of {test[0]} is named {part}")
-        happened, what, taken = run_test(test, 1800)
-        if happened == "skipped" and may_skip:
-            continue
-        if happened != "passed":
-            fail(f"without a mutant, {' '.join(test[:2])} {happened}: {what}\n{log_tail()}")
-        seconds[test] = taken
+            return None, f"no test of {test[0]} is named {part}"
+        happened, what, taken = run_test(test, folder, 1800)
+        if happened == "passed" or happened == "skipped" and may_skip:
+            return taken if happened == "passed" else None, ""
+        return None, f"without a mutant, {' '.join(test[:2])} {happened}: {what}\n{log_tail(folder / 'log')}"
+
+    seconds = {}
+    tests = sorted({test for mutant in mutants for test in mutant.tests})
+    for test, (taken, why) in zip(tests, workers.each(check, tests)):
+        if why:
+            fail(why)
+        if taken is not None:
+            seconds[test] = taken
     return seconds
 
 
-def try_mutant(mutant, seconds):
+def try_mutant(mutant, folder, seconds):
     """Result and remark."""
     tests = [test for test in mutant.tests if test in seconds]
     if not tests:
         return "untried", "skipped here: " + ", ".join(" ".join(test[:2]) for test in mutant.tests)
     for test in tests:
-        happened, what, _ = run_test(test, 60 + 20 * seconds[test], mutant.id)
+        happened, what, _ = run_test(test, folder, 60 + 20 * seconds[test], mutant.id)
         if happened in ("failed", "crashed", "endless"):
             return happened, what
     if len(tests) < len(mutant.tests):
@@ -202,7 +158,16 @@ def without_absent_targets(placed, source, report):
     return left
 
 
+def split(group, errors):
+    """Two parts of a group that does not compile: those whose files have no errors and the others, or else halves."""
+    files = set(re.findall(r"/mutants/tree/([^\s:]+):\d", "\n".join(errors)))
+    suspects = [one for one in group if any(place[0] in files for place in one[1])]
+    others = [one for one in group if one not in suspects]
+    return [others, suspects] if others and suspects else [group[: len(group) // 2], group[len(group) // 2:]]
+
+
 def try_groups(placed, source, jobs, may_skip, report):
+    workers = Workers(jobs)
     if may_skip:
         placed = without_absent_targets(placed, source, report)
     groups = grouped(placed)
@@ -221,14 +186,14 @@ def try_groups(placed, source, jobs, may_skip, report):
             if len(group) == 1:
                 report(mutants[0], "BROKEN", what)
             elif not group:
-                fail(f"the copy does not build\n{log_tail(30)}")
+                fail(f"the copy does not build\n{log_tail(lines=30)}")
             else:  # finds the one that does not compile
-                groups = [group[: len(group) // 2], group[len(group) // 2:]] + groups
+                groups = split(group, errors) + groups
             continue
         if seconds is None:
-            seconds = check_baseline(everything, may_skip)
-        for mutant in mutants:
-            report(mutant, *try_mutant(mutant, seconds))
+            seconds = check_baseline(everything, may_skip, workers)
+        for mutant, found in zip(mutants, workers.each(lambda one, folder: try_mutant(one, folder, seconds), mutants)):
+            report(mutant, *found)
 
 
 def chosen(mutants, count):
