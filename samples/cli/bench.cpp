@@ -88,9 +88,9 @@ void add_law_options(CLI::App &command, BenchArguments &a)
 {
     command
         .add_option("--most-ratio", a.reader_law.most_ratio,
-                    "readers: the most times the time that ten times the elements may take, or the command ends with "
-                    "1; without it 16, and more where the caches of the processor end")
-        ->check(CLI::Range(1e-6, 1e6));
+                    "readers: the most times the time that ten times the elements may take, or the command ends with 1")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
     command
         .add_option("--least-ms", a.reader_law.least_ms,
                     "readers: shorter times are not judged, in milliseconds of processor time")

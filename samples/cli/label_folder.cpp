@@ -6,6 +6,7 @@
 #include "samples/cli/provenance.h"
 #include "samples/io/json.h"
 #include "samples/labels/frame_files.h"
+#include "samples/scenes/check.h"
 
 namespace cli
 {

@@ -20,37 +20,19 @@ constexpr double most_ratio = 16;
 
 // How strictly readers are judged.
 struct Law {
-    double most_ratio = 0;  // 0: that of each element
+    double most_ratio = readers::most_ratio;
     // Shorter times are not judged: they are of the clock's resolution and of caches that are still cold.
     double least_ms = 20;
 };
-
-// Elements that are linear on either side of a step: a tenth of the limit fits into the caches of the processor, and
-// the limit does not. docs/measurements.md has the time of one element at five counts.
-struct Step {
-    const char *format, *element;
-    double most_ratio;
-};
-inline constexpr Step steps[] = {{"save", "layers", 32}, {"tracks", "attributes of SUMO", 40}};
-
-inline double most_ratio_of(const std::string &format, const std::string &element, const Law &law = {})
-{
-    if (law.most_ratio > 0) return law.most_ratio;
-    for (const Step &step : steps)
-        if (format == step.format && element == step.element) return step.most_ratio;
-    return most_ratio;
-}
 
 inline double ratio(double few_ms, double many_ms, const Law &law = {})
 {
     return many_ms < law.least_ms ? 0 : many_ms / std::max(few_ms, 1.0);
 }
 
-inline bool is_lawful(const char *format, const char *element, const Reading &few, const Reading &many,
-                      const Law &law = {})
+inline bool is_lawful(const Reading &few, const Reading &many, const Law &law = {})
 {
-    return std::max(ratio(few.load_ms, many.load_ms, law), ratio(few.build_ms, many.build_ms, law)) <=
-           most_ratio_of(format, element, law);
+    return std::max(ratio(few.load_ms, many.load_ms, law), ratio(few.build_ms, many.build_ms, law)) <= law.most_ratio;
 }
 
 inline std::string ratios_of(const nlohmann::ordered_json &run)

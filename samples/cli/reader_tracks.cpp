@@ -204,7 +204,7 @@ std::vector<ReaderElement> reader_elements_of_tracks()
             {"tracks", "rows of TrajNet++", most_elements, trajnet_rows, read_tracks},
             {"tracks", "times of SUMO", most_elements, sumo_times, read_tracks},
             {"tracks", "people of SUMO", most_elements, sumo_people, read_tracks},
-            {"tracks", "attributes of SUMO", most_elements, sumo_attributes, read_tracks}};
+            {"tracks", "attributes of SUMO", 10000, sumo_attributes, read_tracks}};
 }
 
 }  // namespace cli

@@ -1,4 +1,4 @@
-"""Whether a piece of C++ is a whole part of the code round it, so that parentheses or braces round it change nothing."""
+"""Whether a piece of C++ is a whole part of the code round it: parentheses or braces round it change nothing."""
 import re
 
 PRECEDENCE = {op: level for level, ops in enumerate((
@@ -66,10 +66,12 @@ def is_whole(text, start, end):
 
 
 def is_whole_statement(text, start, end):
-    """A statement that begins where one may, is no `else`, has none behind it if it is an `if`, and declares nothing."""
+    """A statement that begins where one may, is no part of an `if` with an `else`, and declares nothing."""
     code = text[start:end]
     first = tokens_of(code)[0]
-    if first == "if" and tokens_of(text[end:end + 80])[:1] == ["else"] or first == "else" or first in WORDS_OF_DECLARATIONS or TYPE_AND_NAME.match(code):
+    if first == "else" or first == "if" and tokens_of(text[end:end + 80])[:1] == ["else"]:
+        return False
+    if first in WORDS_OF_DECLARATIONS or TYPE_AND_NAME.match(code):
         return False
     ahead = tokens_of(re.sub(r"(?m)^#.*$", "", text[max(0, start - 400):start]))
     return not ahead or ahead[-1] in AHEAD_OF_STATEMENTS

@@ -29,6 +29,7 @@ namespace
 {
 
 constexpr uint32_t deepest_element = 128;
+constexpr int most_attributes = 10000;  // of one element
 constexpr int64_t longest_token = 4 << 20;
 constexpr size_t xml_piece = 1 << 20;
 
@@ -93,6 +94,9 @@ private:
         guarded(user, [&](XmlParser &self) {
             if (++self.depth_ > deepest_element)
                 fail(CLQ_LIMIT, "line %u: more than %u elements in each other", self.line(), deepest_element);
+            if (const int given = XML_GetSpecifiedAttributeCount(self.parser_) / 2; given > most_attributes)
+                fail(CLQ_LIMIT, "line %u: an element with %d attributes; at most %d are read", self.line(), given,
+                     most_attributes);
             self.handler_.begin(name, attributes, self.depth_, self.line());
         });
     }

@@ -22,8 +22,9 @@ public:
 };
 
 // Reads a whole file, which gzip may have packed. Document types are refused, so that no entity can grow. Throws
-// base::Error: CLQ_FORMAT (line and what expat says), CLQ_LIMIT (128 elements in each other; an element, comment or
-// text of more than 4 MB), CLQ_UNSUPPORTED (built without expat); and what the handler throws.
+// base::Error: CLQ_FORMAT (line and what expat says), CLQ_LIMIT (128 elements in each other; an element with more than
+// 10 000 attributes; an element, comment or text of more than 4 MB), CLQ_UNSUPPORTED (built without expat); and what
+// the handler throws.
 void read_xml(const uint8_t *bytes, size_t size, Budget &budget, XmlHandler &handler);
 
 // The value of an attribute; NULL: there is none.

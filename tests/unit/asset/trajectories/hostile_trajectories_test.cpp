@@ -165,41 +165,6 @@ TEST(HostileTrajectories, JsonOfPathfinderInsideEachOtherWithoutEndIsRefused)
     EXPECT_NE(refusal.text.find("nested more than 128 deep"), std::string::npos) << refusal.text;
 }
 
-#ifdef CLAQUE_HAS_EXPAT
-
-TEST(HostileTrajectories, EntitiesThatGrowAreRefused)
-{
-    std::string text = "<?xml version=\"1.0\"?>\n<!DOCTYPE lolz [<!ENTITY a \"lol\">";
-    for (char c = 'b'; c < 'k'; ++c) {
-        text += std::string("<!ENTITY ") + c + " \"";
-        for (int i = 0; i < 10; ++i) text += std::string("&") + static_cast<char>(c - 1) + ";";
-        text += "\">";
-    }
-    const Refusal refusal = refusal_of(bytes_of_text(text + "]>\n<fcd-export>&j;</fcd-export>"));
-    EXPECT_EQ(refusal.status, CLQ_FORMAT);
-    EXPECT_NE(refusal.text.find("line 2: the XML has a DOCTYPE"), std::string::npos) << refusal.text;
-}
-
-TEST(HostileTrajectories, ElementsInEachOtherWithoutEndAreRefused)
-{
-    std::string text = "<fcd-export>";
-    for (int i = 0; i < 200000; ++i) text += "<a>";
-    const Refusal refusal = refusal_of(bytes_of_text(text));
-    EXPECT_EQ(refusal.status, CLQ_LIMIT);
-    EXPECT_NE(refusal.text.find("more than 128 elements in each other"), std::string::npos) << refusal.text;
-}
-
-TEST(HostileTrajectories, AnElementWithoutEndIsRefusedBeforeItIsReadAgainAndAgain)
-{
-    for (const char *begin : {"<fcd-export><timestep time=\"", "<!--", "<fcd-export "}) {
-        const Refusal refusal = refusal_of(bytes_of_text(begin + std::string(9 * megabyte, ' ')));
-        EXPECT_EQ(refusal.status, CLQ_LIMIT) << begin << ": " << refusal.text;
-        EXPECT_NE(refusal.text.find("of more than 4194304 bytes"), std::string::npos) << refusal.text;
-    }
-}
-
-#endif
-
 TEST(HostileTrajectories, JsonNestedWithoutEndIsRefused)
 {
     for (const char *begin : {"{\"1\": {\"1.0\": {\"tags\": ", "{\"track\": "}) {
