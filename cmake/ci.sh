@@ -1,13 +1,14 @@
 #!/bin/sh
 # ci.sh BUILD JOBS [all]: builds the benchmarks, tries three quick implementations of OpenGL (tests/drivers), runs every
 # test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan. With `all` it also runs each
-# fuzzer for 20 s where clang can be had (tests/fuzz) and tries ten mutants (tests/mutants). It ends with one summary in
-# CTest's words of both runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
+# fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants (tests/mutants) and runs what exercises threads
+# under ThreadSanitizer (threads.sh). It ends with one summary in CTest's words of all runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
 set -eu
 build=$1
 jobs=$2
 extent=${3:-tests}
 mkdir -p out
+: >out/ci-threads.log
 failed=''
 began=$(date +%s)
 
@@ -68,9 +69,12 @@ if [ "$extent" = all ] && in_time mutants; then
     quietly out/ci-mutants.log tests/mutants/run.py --some 10 --jobs "$jobs"
     tail -n 12 out/ci-mutants.log
 fi
+if [ "$extent" = all ] && in_time "threads under ThreadSanitizer"; then
+    quietly out/ci-tsan.log cmake/threads.sh "$jobs" out/ci-threads.log
+fi
 step end
 
-count() { cat out/ci-tests.log out/ci-sanitizers.log | grep -cE "$1" || true; }
+count() { cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -cE "$1" || true; }
 all=$(count '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ')
 skipped=$(count '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped')
 bad_words='\*\*\*(Failed|Exception|Timeout|Not Run)'
@@ -78,8 +82,8 @@ bad=$(count "^ *[0-9]+/[0-9]+ Test .*$bad_words")
 # The end of a log is what people read first: it names what failed, and says the first reasons.
 if [ "$bad" != 0 ]; then
     reasons=': Failure$|^(==[0-9]+==)?ERROR: |: runtime error: '
-    cat out/ci-tests.log out/ci-sanitizers.log | grep -E -A 5 "$reasons" | cut -c 1-160 | head -n 12
-    cat out/ci-tests.log out/ci-sanitizers.log | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" |
+    cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -E -A 5 "$reasons" | cut -c 1-160 | head -n 12
+    cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" |
         tr -s ' .' | cut -c 1-160 | head -n 6
 fi
 [ -z "$failed" ] || echo "failed:$failed"

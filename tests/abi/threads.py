@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """threads.py SOURCE_DIR: every function of include/claque says on which threads it may be called, and a test does so.
 
+threads.py --tests prints those tests as a pattern for ctest -R, threads.py --targets their programs.
+
 It says so in its own comment ("Threads: any."), in the comment of the functions that it stands below without one, or
 in the first comment of its header, which holds for all calls of the header that say nothing themselves. threads.txt
 names a test for each statement; a statement there is the beginning of one in a header.
@@ -48,10 +50,17 @@ def statements_of(root):
 
 
 def main():
-    root = pathlib.Path(sys.argv[1])
-    said, bad, used = statements_of(root), [], set()
     table = [line.split(": ") for line in (HERE / "threads.txt").read_text().splitlines()
              if line and not line.startswith("#")]
+    tests = [test.split() for _, test in table]
+    if sys.argv[1] == "--targets":
+        print(*sorted({target for target, _ in tests}))
+        return 0
+    if sys.argv[1] == "--tests":
+        print("^(" + "|".join(sorted({re.escape(name) for _, name in tests})) + ")$")
+        return 0
+    root = pathlib.Path(sys.argv[1])
+    said, bad, used = statements_of(root), [], set()
     for name, words in said.items():
         if words is None:
             bad.append(f"{name} says nothing of threads")
@@ -63,7 +72,7 @@ def main():
             bad.append(f"{name}: threads.txt names no test for '{words}'")
         used.add(best)
     bad += [f"threads.txt: no header says '{one}'" for one in dict(table) if one not in used]
-    bad += faults(root, [("threads.txt", *test.split()) for _, test in table])
+    bad += faults(root, [("threads.txt", *test) for test in tests])
     print("\n".join(bad) if bad else f"{len(said)} functions say on which threads they may be called")
     return 1 if bad or len(said) < 200 else 0
 

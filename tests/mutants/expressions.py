@@ -8,7 +8,7 @@ PRECEDENCE = {op: level for level, ops in enumerate((
     ("==", "!="), ("<", ">", "<=", ">="), ("<<", ">>"), ("+", "-"), ("*", "/", "%"))) for op in ops}
 UNARY, POSTFIX = 20, 30
 # Operators of which `a op (b op c)` is `(a op b) op c`.
-GROUPS_ALIKE = ("&&", "||", "|", "&", "^", ",")
+GROUPS_ALIKE = ("&&", "||", "|", "&", "^")
 TOKEN = re.compile(r"""\s+|//[^\n]*|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])+'|[A-Za-z_]\w*|\.?\d(?:[eEpP][+-]|[\w.'])*"""
                    r"""|<<=|>>=|->|::|\+\+|--|[-+*/%&|^=!<>]=|&&|\|\||<<|>>|.""", re.S)
 ARGUMENTS = re.compile(r"(?<=\w)<[\w:,*&\s]*(?:<[\w:,*&\s]*>[\w:,*&\s]*)*>(?=\s*[({:]|\s+\w+[({;=]|>)")
@@ -81,6 +81,8 @@ def is_whole_expression(text, start, end):
     if tokens_of(text[start:end])[0] in WORDS_OF_STATEMENTS | WORDS_OF_DECLARATIONS:
         return False
     operator, level = loosest(tokens_of(text[start:end]))
+    if operator == ",":  # parentheses would make one argument of several
+        return False
     begin = max(text.rfind(";", 0, start), text.rfind("}", 0, start)) + 1
     ahead, behind = tokens_of(text[begin:start]), tokens_of(text[end:end + 80])
     if ahead:
