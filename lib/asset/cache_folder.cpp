@@ -62,7 +62,7 @@ void check_owner(const std::string &path, const struct stat &facts)
         base::fail(CLQ_IO, "'%s' belongs to user %u and this program runs as user %u: name another folder",
                    path.c_str(), static_cast<unsigned>(facts.st_uid), static_cast<unsigned>(geteuid()));
     if (facts.st_mode & others_may_write)
-        base::fail(CLQ_IO, "others may write '%s' (mode %03o): 'chmod 700 %s' repairs that", path.c_str(),
+        base::fail(CLQ_IO, "others may write there (mode %03o): 'chmod 700 %s' repairs that",
                    static_cast<unsigned>(facts.st_mode & 0777), path.c_str());
 }
 

@@ -33,7 +33,7 @@ class Workers:
     """Folders for the files of tests that run side by side: two mutants may have the same test."""
 
     def __init__(self, count):
-        self.root = tempfile.TemporaryDirectory(prefix="claque-mutants-")
+        self.root = tempfile.TemporaryDirectory(prefix="cm-")
         self.free = queue.Queue()
         for number in range(count):
             self.free.put(pathlib.Path(self.root.name) / str(number))
@@ -106,7 +106,7 @@ def part_without_test(test):
 
 
 def check_baseline(mutants, may_skip, workers):
-    """Every named test passes when no mutant is chosen; returns the seconds of each that is not skipped."""
+    """The seconds of each named test that passes when no mutant is chosen, and why one of the others did not."""
     def check(test, folder):
         if part := part_without_test(test):
             return None, f"no test of {test[0]} is named {part}"
@@ -115,18 +115,21 @@ def check_baseline(mutants, may_skip, workers):
             return taken if happened == "passed" else None, ""
         return None, f"without a mutant, {' '.join(test[:2])} {happened}: {what}\n{log_tail(folder / 'log')}"
 
-    seconds = {}
+    seconds, wrong = {}, {}
     tests = sorted({test for mutant in mutants for test in mutant.tests})
     for test, (taken, why) in zip(tests, workers.each(check, tests)):
         if why:
-            fail(why)
-        if taken is not None:
+            wrong[test] = why
+            print(why, flush=True)
+        elif taken is not None:
             seconds[test] = taken
-    return seconds
+    return seconds, wrong
 
 
-def try_mutant(mutant, folder, seconds):
+def try_mutant(mutant, folder, seconds, wrong):
     """Result and remark."""
+    if bad := [test for test in mutant.tests if test in wrong]:
+        return "UNJUDGED", wrong[bad[0]].splitlines()[0]
     tests = [test for test in mutant.tests if test in seconds]
     if not tests:
         return "untried", "skipped here: " + ", ".join(" ".join(test[:2]) for test in mutant.tests)
@@ -174,7 +177,7 @@ def try_groups(placed, source, jobs, may_skip, report):
     if groups and groups[0][0][0].alone:
         groups.insert(0, [])
     everything = [mutant for mutant, _ in placed]
-    seconds = None
+    seconds = wrong = None
     while groups:
         group = groups.pop(0)
         mutants = [mutant for mutant, _ in group]
@@ -191,8 +194,9 @@ def try_groups(placed, source, jobs, may_skip, report):
                 groups = split(group, errors) + groups
             continue
         if seconds is None:
-            seconds = check_baseline(everything, may_skip, workers)
-        for mutant, found in zip(mutants, workers.each(lambda one, folder: try_mutant(one, folder, seconds), mutants)):
+            seconds, wrong = check_baseline(everything, may_skip, workers)
+        tried = workers.each(lambda one, folder: try_mutant(one, folder, seconds, wrong), mutants)
+        for mutant, found in zip(mutants, tried):
             report(mutant, *found)
 
 
