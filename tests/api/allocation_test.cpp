@@ -79,6 +79,29 @@ TEST_F(Allocation, CreatingActorsFailsCleanlyAtEveryAllocation)
     }
 }
 
+TEST_F(Allocation, AnActorThatIsNotMadeHoldsNoTemplate)
+{
+    make_crowd(0);
+    clq_actor_def def = clq_actor_def_init();
+    uint64_t n = 1;
+    for (;; ++n) {
+        const int64_t without = fm::host_bytes();
+        clq_template *other = nullptr;
+        ASSERT_EQ(clq_template_build(context_, &small_.def, &other), CLQ_OK);
+        const int64_t bytes = fm::host_bytes() - without;
+        def.tmpl = other;
+        clq_actor actor;
+        fm::arm(n, fm::Reach::everything);
+        const clq_status status = clq_actor_create(crowd_, &def, &actor);
+        const uint64_t seen = fm::disarm();
+        clq_template_destroy(other);
+        if (seen < n) break;
+        ASSERT_EQ(status, CLQ_OUT_OF_MEMORY) << n;
+        EXPECT_LT(fm::host_bytes() - without, bytes) << "only what the crowd has reserved may stay, allocation " << n;
+    }
+    EXPECT_GT(n, 3u);
+}
+
 TEST_F(Allocation, AnUpdateFailsCleanlyAtEveryAllocationAndTheNextOneIsTheSame)
 {
     make_crowd(60);

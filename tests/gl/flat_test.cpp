@@ -106,6 +106,23 @@ TEST_F(Flat, AreTheSameForAllStrategiesAndFormatsOfColours)
 }
 
 // A single individual, unscaled, in odd scales and mirrored: every pixel has the colour of one of its triangles.
+TEST_F(Flat, AreDrawnTogetherWhateverTheirTextureSets)
+{
+    PosedModel dressed = proxy_posed(60);
+    ASSERT_EQ(dressed.tmpl->textures[0].set_images.size(), 1u);
+    model::Array<uint8_t> &rgba = dressed.tmpl->textures[0].set_images[0].rgba;
+    for (size_t i = 0; i < rgba.size(); ++i)
+        if (i % 4 != 3) rgba[i] = static_cast<uint8_t>(rgba[i] / 2);
+    posed_ = &dressed;
+    DrawList alike = many(), by_turns = many();
+    for (size_t i = 1; i < by_turns.items.size(); i += 2) by_turns.items[i].texture_set = 1;
+    passes::DrawStats of_one, of_two;
+    const Picture one = shown(alike, {}, &of_one), two = shown(by_turns, {}, &of_two);
+    EXPECT_GT(different(one, two, 8), 1000u) << "the other set is not visible";
+    EXPECT_EQ(of_two.draws, of_one.draws);
+    posed_ = &posed();
+}
+
 TEST_F(Flat, AreLitByTheirFaceNormals)
 {
     light_from({1, 0.4f, 0.2f, 0});

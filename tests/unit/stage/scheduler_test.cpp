@@ -1,6 +1,7 @@
 // The scheduler keeps its bound under overload, in declared costs and on a fake clock.
 #include "lib/stage/schedule/scheduler.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -76,6 +77,24 @@ TEST(Scheduler, RunsClassesInTheirOrderAndTasksInTheOrderOfTime)
     at.next();
     EXPECT_EQ(at.work.done.back(), 5u);
     EXPECT_EQ(at.work.lates, 0u);
+}
+
+TEST(Scheduler, RunsMessagesOfOneMomentInTheSameOrderHoweverTheyArrive)
+{
+    Ticker forwards(limits(1000)), backwards(limits(1000));
+    std::vector<Task> messages;
+    for (uint32_t i = 0; i < 20; ++i) {
+        messages.push_back(task_of(i, 1, 1, 0.01));
+        messages.back().sender = 40 - 2 * i;
+        messages.back().order = order_of_message(messages.back());
+    }
+    forwards.scheduler.reserve(messages.size()), backwards.scheduler.reserve(messages.size());
+    for (const Task &message : messages) forwards.scheduler.add_message(message);
+    std::reverse(messages.begin(), messages.end());
+    for (const Task &message : messages) backwards.scheduler.add_message(message);
+    forwards.next(), backwards.next();
+    EXPECT_EQ(forwards.work.done.size(), 20u);
+    EXPECT_EQ(forwards.work.done, backwards.work.done);
 }
 
 TEST(Scheduler, ForgetsTasksThatHaveBecomePointlessAtNoCost)

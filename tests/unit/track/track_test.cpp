@@ -47,6 +47,18 @@ TEST(Track, IsWithinAMillimetreOfThePointsIfItIsNotSmoothed)
     }
 }
 
+TEST(Track, HasAsManySamplesAsItsTurnsNeed)
+{
+    track::BuildSettings settings;
+    settings.smooth_s = 0;
+    const auto dodging = [](double t) { return glm::dvec2(1.3 * t, 0.05 * std::sin(12 * t)); };
+    const std::vector<track::Point> points = test::points_of(25, 20, dodging);
+    const auto quick = test::track_of(points, "citizen", settings);
+    const auto calm = test::track_of(test::points_of(25, 20, winding), "citizen", settings);
+    EXPECT_GE(quick->samples.size(), 2 * calm->samples.size() - 1);
+    for (const track::Point &point : points) ASSERT_LT(away(*quick, point), 0.001) << point.time_s;
+}
+
 TEST(Track, KeepsItsEnds)
 {
     const std::vector<track::Point> points = test::points_of(10, 33.3, winding);

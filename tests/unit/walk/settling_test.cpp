@@ -13,9 +13,14 @@ TEST_F(Movement, SettlesExactlyBesideTheGround)
     stage::Goal seat = goal(4, -0.05, 1);  // a hand's breadth in the wall
     seat.position[1] = 0.03, seat.heading_rad = 0.4, seat.settles = true;
     movement->go(0, seat, 0);
-    double left_s = 0, arrived_s = 0, begins_s = 0;
+    double left_s = 0, arrived_s = 0, begins_s = 0, longest_step_m = 0;
+    stage::Place before = movement->place(0, 0);
     for (int tick = 1; tick <= 240; ++tick) {
         movement->advance(0.05 * tick, moved_);
+        const stage::Place now = movement->place(0, 0.05 * tick);
+        longest_step_m = std::max(
+            longest_step_m, std::hypot(now.position[0] - before.position[0], now.position[2] - before.position[2]));
+        before = now;
         for (const stage::Arrival &one : moved_.arrivals) {
             EXPECT_TRUE(one.reached);
             EXPECT_EQ(arrived_s, 0) << "it is answered once";
@@ -35,6 +40,7 @@ TEST_F(Movement, SettlesExactlyBesideTheGround)
     EXPECT_GT(left_s, arrived_s);
     EXPECT_LT(left_s, arrived_s + 1.3);
     EXPECT_EQ(begins_s, left_s) << "no piece comes behind the last one";
+    EXPECT_LT(longest_step_m, 0.1) << "it is drawn to its place, and does not jump";
     const stage::Place place = movement->place(0, 12);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(place.position[k], seat.position[k], 0.004) << k;
     EXPECT_NEAR(std::remainder(place.heading_rad - seat.heading_rad, 2 * M_PI), 0, 0.02);
