@@ -70,6 +70,23 @@ TEST_F(Movement, ThatHasSettledIsInNoOthersWay)
     }
 }
 
+TEST_F(Movement, OfPeopleToPlacesBesideEachOtherEndsThere)
+{
+    const auto movement = make();
+    const auto place_of = [](uint32_t i) { return 4 + 0.6 * i; };
+    for (uint32_t i = 0; i < 4; ++i) {
+        movement->add(i, walker(1 + 1.8 * i, 1), 0);
+        stage::Goal place = goal(place_of(i), 3, i + 1);
+        place.near_m = 0.1f;
+        movement->go(i, place, 0);
+    }
+    run(*movement, 0, 400);
+    for (uint32_t i = 0; i < 4; ++i) {
+        const stage::Place now = movement->place(i, 20);
+        EXPECT_LT(std::hypot(now.position[0] - place_of(i), now.position[2] - 3), 0.16) << i;
+    }
+}
+
 TEST_F(Movement, ThatHasSettledGoesOnFromWhereItWas)
 {
     const auto movement = make();
