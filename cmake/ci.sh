@@ -2,7 +2,8 @@
 # ci.sh BUILD JOBS [all]: builds the benchmarks, tries three quick implementations of OpenGL (tests/drivers), runs every
 # test of BUILD, then those labelled `bytes` in a build with AddressSanitizer and UBSan. With `all` it also runs each
 # fuzzer for 20 s where clang can be had (tests/fuzz), tries ten mutants (tests/mutants) and runs what exercises threads
-# under ThreadSanitizer (threads.sh). It ends with one summary in CTest's words of all runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
+# under ThreadSanitizer (threads.sh). It ends with one summary in CTest's words of all runs of tests. Each line
+# `ci: ...` names a step and the seconds since the beginning.
 set -eu
 build=$1
 jobs=$2

@@ -1,4 +1,6 @@
 // Batches: which individuals share GL calls, that the picture is right, and that other neighbours stay apart.
+#include <cmath>
+
 #include "tests/gl/support/crowds.h"
 #include "tests/gl/support/hooked.h"
 
@@ -33,6 +35,28 @@ TEST_F(Batches, ShowWhatSingleCallsShow)
     DrawList moved = many();
     moved.items[crowd - 1].model_view[12] += 0.05f * posed_->radius;
     EXPECT_GT(different(shown(moved, {}), one_by_one, 0) * 1000, covered(one_by_one));
+}
+
+TEST_F(Batches, ShowPackedPeopleAsThoseInFloats)
+{
+    const float offset[3] = {0.3f, -0.2f, 0.1f}, step = posed_->radius / 8000;
+    std::vector<int16_t> positions;
+    std::vector<int8_t> normals;
+    for (size_t i = 0; i < posed_->positions.size(); ++i) {
+        positions.push_back(static_cast<int16_t>(std::lround((posed_->positions[i] - offset[i % 3]) / step)));
+        normals.push_back(static_cast<int8_t>(std::lround(127 * posed_->normals[i])));
+        if (i % 3 == 2) positions.push_back(0), normals.push_back(0);
+    }
+    DrawList packed = many();
+    for (Item &item : packed.items) {
+        item.vertices = claque::draw::Vertices();
+        item.vertices.short_positions = positions.data(), item.vertices.byte_normals = normals.data();
+        item.vertices.step = step;
+        std::copy_n(offset, 3, item.vertices.offset);
+    }
+    const Picture floats = shown(many(), {}), shorts = shown(packed, {});
+    ASSERT_GT(covered(floats), 5000u);
+    EXPECT_LE(different(shorts, floats, 2) * 100, covered(floats));
 }
 
 TEST_F(Batches, AreTheSameForAllStrategiesAndFormatsOfColours) { expect_the_same_for_all_strategies_and_formats(); }

@@ -228,13 +228,18 @@ Outcome run(const Plan &plan)
     }
     screen->make_current();
     const auto begin = std::chrono::steady_clock::now();
-    Soak soak(plan, *screen);
+    const int64_t before = failing_memory::host_bytes();
+    auto soak = std::make_unique<Soak>(plan, *screen);
     uint64_t done = 0;
-    while (done < plan.updates && (plan.seconds <= 0 || seconds_since(begin) < plan.seconds)) soak.step(), ++done;
-    const std::vector<Memory> &all = soak.memories();
+    while (done < plan.updates && (plan.seconds <= 0 || seconds_since(begin) < plan.seconds)) soak->step(), ++done;
+    const std::vector<Memory> &all = soak->memories();
     if (all.size() < 2) return {"", {std::to_string(done) + " updates are too few to compare memory"}};
-    print(soak, done, seconds_since(begin), all[all.size() / 10], all.back());
-    return {"", judged(soak)};
+    print(*soak, done, seconds_since(begin), all[all.size() / 10], all.back());
+    Outcome outcome = {"", judged(*soak)};
+    soak.reset();
+    if (const int64_t left = failing_memory::host_bytes() - before; left != 0)
+        outcome.problems.push_back(std::to_string(left) + " bytes are left when all has ended");
+    return outcome;
 }
 
 }  // namespace soak

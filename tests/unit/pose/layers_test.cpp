@@ -1,7 +1,11 @@
 // Layers: fades, masks, additive layers and invalid jobs.
+#include <random>
+
+#include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 
 #include "layers_reference.h"
+#include "lib/pose/blend.h"
 #include "lib/pose/pose.h"
 #include "random_rig.h"
 
@@ -51,6 +55,19 @@ TEST(Layers, FadeFromOneClipToAnotherByTheShorterArc)
     TestRig test_rig;
     for (const float weight : {0.0f, 0.25f, 0.5f, 0.99f, 1.0f})
         test_rig.expect_like_reference({layer(clip_linear, 0.6, 1), layer(clip_cubic, 0.9, weight)}, "fade");
+}
+
+TEST(Layers, BlendARotationAlikeWhicheverOfItsQuaternionsIsGiven)
+{
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> any(-1, 1);
+    const auto rotation = [&] { return glm::normalize(glm::quat(any(random), any(random), any(random), any(random))); };
+    for (int i = 0; i < 1000; ++i) {
+        const glm::quat a = rotation(), b = rotation();
+        const glm::quat one = pose::nlerp(a, b, 0.3f), other = pose::nlerp(a, -b, 0.3f);
+        EXPECT_EQ(one, other);
+        EXPECT_GE(glm::dot(one, a), 0.7f) << "nearer to the first of two that are 90 degrees apart at most";
+    }
 }
 
 TEST(Layers, AreMaskedJointByJointAndMorphWeightsWithTheirNode)

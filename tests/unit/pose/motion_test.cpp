@@ -138,6 +138,8 @@ TEST(Motion, MixesLayersLikeTheChannels)
     for (const std::vector<Layer> &layers : {std::vector<Layer>{base},
                                              {base, over},
                                              {base, layer_clip},
+                                             {over},
+                                             {layer_clip, over},
                                              {over, layer_clip, base, over},
                                              {base, over, layer_clip}}) {
         const reference::Pose expected = reference::evaluate(test_rig.tmpl.rig, layers);
@@ -152,6 +154,31 @@ TEST(Motion, MixesLayersLikeTheChannels)
                     ASSERT_NEAR(job.palette[i].c[3 * c + r], expected.palette[i].m[4 * c + r], 0.004) << i;
         for (uint32_t i = 0; i < job.weights.count; ++i) ASSERT_NEAR(job.weights[i], expected.weights[i], 1e-3);
     }
+}
+
+TEST(Motion, AppliesDegreesOfFreedomAsTheChannelsDo)
+{
+    Sampled test_rig;
+    model::Rig &rig = test_rig.tmpl.rig;
+    model::Dof turn, shift;
+    turn.node = 1, shift.node = 2, shift.kind = model::DofKind::translation, shift.axis = glm::vec3(1, 0, 0);
+    turn.min = shift.min = -1, turn.max = shift.max = 1;
+    rig.dofs.push_back(turn), rig.dofs.push_back(shift);
+    test_rig.make();
+    const float values[2] = {0.4f, 0.1f};
+    Workspace rows(rig, &test_rig.tmpl.motion), channels(rig), rest(rig);
+    PoseJob of_rows = rows.job(), of_channels = channels.job(), at_rest = rest.job();
+    of_rows.clip = of_channels.clip = at_rest.clip = clip_linear;
+    of_rows.time_s = of_channels.time_s = at_rest.time_s = 0.4;
+    of_rows.dofs = of_channels.dofs = values;
+    of_rows.run(), of_channels.run(), at_rest.run();
+    float moved = 0;
+    for (uint32_t i = 0; i < of_rows.palette.count; ++i)
+        for (int k = 0; k < 12; ++k) {
+            ASSERT_NEAR(of_rows.palette[i].c[k], of_channels.palette[i].c[k], 0.004) << i;
+            moved = std::max(moved, std::fabs(of_channels.palette[i].c[k] - at_rest.palette[i].c[k]));
+        }
+    EXPECT_GT(moved, 0.05f);
 }
 
 TEST(Motion, GivesTheSameBitsOnEveryInstructionSet)
