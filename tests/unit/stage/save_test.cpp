@@ -132,6 +132,27 @@ uint64_t fnv(const std::vector<uint8_t> &bytes)
 }
 
 // Bytes are changed and given a hash that fits: what is accepted runs on and can be saved.
+TEST(SavedStage, IsRefusedWhereAnAgentIsInStatesThatDoNotHoldEachOther)
+{
+    Evening run;
+    run.fill();
+    run.world.step(3);
+    run.world.apply(2);
+    const std::vector<uint8_t> good = run.saved();
+    size_t named = 0;
+    for (size_t at = 28; at < good.size() && named == 0; ++at)
+        for (const uint8_t state : {0, 1, 2, 3}) {
+            std::vector<uint8_t> bytes = good;
+            bytes[at] = state;
+            const uint64_t h = fnv(bytes);
+            for (size_t b = 0; b < 8; ++b) bytes[20 + b] = static_cast<uint8_t>(h >> (8 * b));
+            if (clq_stage_restore(run.world.stage, run.world.arm.crowd, bytes.data(), bytes.size()) != CLQ_FORMAT)
+                continue;
+            named += std::string(clq_last_error()).find("states that do not hold each other") != std::string::npos;
+        }
+    EXPECT_GT(named, 0u);
+}
+
 TEST(SavedStage, SurvivesAnyBytes)
 {
     Evening run;

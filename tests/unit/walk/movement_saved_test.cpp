@@ -69,6 +69,28 @@ TEST_F(Movement, HasTheSameFutureWhenItIsRestored)
     EXPECT_GT(future.size(), 200u);
 }
 
+TEST_F(Movement, AmongPillarsHasTheSameFutureWheneverItIsRestored)
+{
+    floors::Floor floor = floors::two_rooms(true);
+    for (int i = 0; i < 18; ++i) {
+        const double x = 2.2 + 2 * (i / 3) + (i / 9), z = 0.8 + 1.9 * (i % 3);
+        floor.wall(x, z, x + 0.3, z + 0.3);
+    }
+    clq_navigation_destroy(navigation_);
+    navigation_ = floor.make();
+    for (int at = 5; at < 200; at += 9) {
+        const auto movement = make();
+        crowd(*movement);
+        run(*movement, 0, at);
+        std::vector<uint8_t> bytes;
+        movement->save(bytes);
+        const auto restored = make();
+        restored->restore(bytes.data(), bytes.size());
+        const std::vector<std::string> future = run(*movement, at, at + 60);
+        EXPECT_EQ(run(*restored, at, at + 60), future) << at;
+    }
+}
+
 TEST_F(Movement, RefusesBytesThatAreNoMovement)
 {
     const auto movement = make(), other = make();

@@ -69,7 +69,7 @@ TEST(WalkersThatStand, StepAsideInAGapAndTakeTheirPlaceAgain)
     EXPECT_LT(passage.seconds, 10);  // 8 m at 1.34 m/s take 6 s
     EXPECT_EQ(held.info(stands).state, CLQ_WALKER_STANDS);
     held.step(100);
-    EXPECT_LT(away_from(held, stands, 8.1, 3), 0.3);
+    EXPECT_LT(away_from(held, stands, 8.1, 3), 0.1);
 }
 
 TEST(WalkersThatStand, GoAheadWhereTwoCannotPass)
