@@ -46,6 +46,18 @@ TEST_F(Prepare, UsesNoFolderThatOthersMayWriteAndSaysHowToRepairIt)
     EXPECT_TRUE(report.from_disk);
 }
 
+TEST_F(Prepare, SaysHowToRepairAFolderOfALongPathToo)
+{
+    clq_prepare_report report = clq_prepare_report_init();
+    const std::string deep = (folder_ / std::string(190 - folder_.string().size(), 'f')).string();
+    fs::create_directories(deep);
+    ASSERT_EQ(chmod(deep.c_str(), 0777), 0);
+    clq_prepare_def def = owl();
+    def.folder = deep.c_str();
+    made(def, report);
+    EXPECT_NE(std::string(report.text).find("'chmod 700 " + deep + "' repairs that"), std::string::npos) << report.text;
+}
+
 TEST_F(Prepare, UsesNoFolderAndNoFileOfAnotherUser)
 {
     if (geteuid() != 0) GTEST_SKIP() << "only root can give a folder to another user";

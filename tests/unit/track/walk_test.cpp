@@ -115,7 +115,7 @@ TEST(WalkingPeople, TakeShorterStepsAtNearlyTheSamePaceWhenTheyAreSlow)
         return cycles / 10;
     };
     const double natural = pace(1.1);
-    EXPECT_GT(natural, 0.7) << "two steps, of which people take 1.4 to 2.2 a second";
+    EXPECT_GT(natural, 0.7) << "a cycle has two steps, and people take 1.4 to 2.2 steps a second";
     EXPECT_LT(natural, 1.1);
     EXPECT_NEAR(pace(0.55), natural, 0.15 * natural);
     EXPECT_NEAR(pace(0.3), natural, 0.25 * natural);

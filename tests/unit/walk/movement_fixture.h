@@ -36,6 +36,14 @@ protected:
         def.max_count = 40;
         return std::make_unique<walk::Walking>(*navigation_, def, std::vector<const clq_locomotion *>{locomotion_});
     }
+    std::unique_ptr<walk::Walking> restored_from(const walk::Walking &saved) const
+    {
+        std::vector<uint8_t> bytes;
+        saved.save(bytes);
+        auto out = make();
+        out->restore(bytes.data(), bytes.size());
+        return out;
+    }
     stage::Walker walker(double x, double z) const
     {
         stage::Walker out;

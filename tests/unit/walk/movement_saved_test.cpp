@@ -13,10 +13,7 @@ TEST_F(Movement, ThatMakesRoomHasTheSameFutureWhenItIsRestored)
         movement->add(1, walker(4, 3), 0);
         movement->go(1, goal(12, 3, 1), 0);
         run(*movement, 0, at);
-        std::vector<uint8_t> bytes;
-        movement->save(bytes);
-        const auto restored = make();
-        restored->restore(bytes.data(), bytes.size());
+        const auto restored = restored_from(*movement);
         const std::vector<std::string> future = run(*movement, at, at + 150);
         EXPECT_EQ(run(*restored, at, at + 150), future) << at;
         EXPECT_GT(future.size(), 16u);
@@ -32,10 +29,7 @@ TEST_F(Movement, ThatSettlesHasTheSameFutureWhenItIsRestored)
         seat.heading_rad = 0, seat.settles = true;
         movement->go(0, seat, 0);
         run(*movement, 0, at);
-        std::vector<uint8_t> bytes;
-        movement->save(bytes);
-        const auto restored = make();
-        restored->restore(bytes.data(), bytes.size());
+        const auto restored = restored_from(*movement);
         for (walk::Walking *one : {movement.get(), restored.get()}) one->go(0, goal(6, 3, 2), 0.05 * at + 3.01);
         std::vector<std::string> future = run(*movement, at, at + 200), same = run(*restored, at, at + 200);
         EXPECT_EQ(future, same) << at;
@@ -82,10 +76,7 @@ TEST_F(Movement, AmongPillarsHasTheSameFutureWheneverItIsRestored)
         const auto movement = make();
         crowd(*movement);
         run(*movement, 0, at);
-        std::vector<uint8_t> bytes;
-        movement->save(bytes);
-        const auto restored = make();
-        restored->restore(bytes.data(), bytes.size());
+        const auto restored = restored_from(*movement);
         const std::vector<std::string> future = run(*movement, at, at + 60);
         EXPECT_EQ(run(*restored, at, at + 60), future) << at;
     }
