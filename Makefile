@@ -5,21 +5,21 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants fuzz faults soak \
-    bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 test-arm64 test-mingw \
-    test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
+.PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
+    fuzz faults soak bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 \
+    test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
-	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: fuzzers, ten mutants and threads too)"
+	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: all the rest of CI)"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
 	@echo "make soak       a million updates of a changing crowd, then films whose processes are killed, random input and malformed viewers of the window (some minutes)"
-	@echo "make test-threads  what the headers say of threads, under ThreadSanitizer"
+	@echo "make test-threads  the tests of what the headers say about threads, under ThreadSanitizer"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
@@ -88,7 +88,7 @@ test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*
 	ctest --preset $* -j $(JOBS)
 
-# What the headers say of threads (tests/abi/threads.txt), under ThreadSanitizer.
+# The tests of what the headers say about threads (tests/abi/threads.txt), under ThreadSanitizer.
 test-threads: setup
 	@cmake/threads.sh $(JOBS) out/threads.log
 

@@ -72,19 +72,21 @@ if [ "$extent" = all ] && in_time mutants; then
 fi
 if [ "$extent" = all ] && in_time "threads under ThreadSanitizer"; then
     quietly out/ci-tsan.log cmake/threads.sh "$jobs" out/ci-threads.log
+    tail -n 8 out/ci-tsan.log
 fi
 step end
 
-count() { cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -cE "$1" || true; }
+results() { cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log; }
+count() { results | grep -cE "$1" || true; }
 all=$(count '^ *[0-9]+/[0-9]+ Test +#[0-9]+: ')
 skipped=$(count '^ *[0-9]+/[0-9]+ Test .*\*\*\*Skipped')
 bad_words='\*\*\*(Failed|Exception|Timeout|Not Run)'
 bad=$(count "^ *[0-9]+/[0-9]+ Test .*$bad_words")
 # The end of a log is what people read first: it names what failed, and says the first reasons.
 if [ "$bad" != 0 ]; then
-    reasons=': Failure$|^(==[0-9]+==)?ERROR: |: runtime error: '
-    cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -E -A 5 "$reasons" | cut -c 1-160 | head -n 12
-    cat out/ci-tests.log out/ci-sanitizers.log out/ci-threads.log | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" |
+    reasons=': Failure$|^(==[0-9]+==)?ERROR: |: runtime error: |^WARNING: ThreadSanitizer: '
+    results | grep -E -A 5 "$reasons" | cut -c 1-160 | head -n 12
+    results | grep -E "^ *[0-9]+/[0-9]+ Test .*$bad_words" |
         tr -s ' .' | cut -c 1-160 | head -n 6
 fi
 [ -z "$failed" ] || echo "failed:$failed"

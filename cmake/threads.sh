@@ -1,12 +1,12 @@
 #!/bin/sh
-# threads.sh JOBS LOG: builds the tests that exercise what the headers say of threads (tests/abi/threads.txt) with
-# ThreadSanitizer and runs them. LOG gets what CTest says.
+# threads.sh JOBS LOG: builds the tests of what the headers say about threads (tests/abi/threads.txt) with
+# ThreadSanitizer and runs them. LOG gets CTest's output.
 set -eu
 jobs=$1
 log=$2
 mkdir -p out
 : >"$log"
-# ThreadSanitizer needs addresses that some kernels give to others: a program that does nothing tells.
+# Some kernels use the addresses that ThreadSanitizer needs: a program that does nothing tells.
 echo 'int main() { return 0; }' | c++ -fsanitize=thread -x c++ - -o out/nothing-tsan
 if ! out/nothing-tsan; then
     echo "threads.sh: ThreadSanitizer cannot run here: skipped"

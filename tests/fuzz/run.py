@@ -116,7 +116,7 @@ def run_for(name, seconds, seed, log):
             process.send_signal(signal.SIGUSR1)  # libFuzzer ends after this input
             try:
                 process.wait(60)
-            except subprocess.TimeoutExpired:  # it still reads what it begins with: one input may take 25 s
+            except subprocess.TimeoutExpired:  # it still reads its corpus: libFuzzer ends one input after 25 s
                 process.kill()
                 process.wait()
                 return used, 0

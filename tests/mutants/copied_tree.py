@@ -32,7 +32,7 @@ def tree_files():
 
 
 def write_tree(source, texts):
-    """Makes the copy the tree with these texts; a file of equal bytes keeps its time, so that it is not built again."""
+    """Writes the tree into the copy, with these texts. A file of equal bytes keeps its time and is not built again."""
     for name, original in source.items():
         copy = TREE / name
         content = texts[name].encode() if name in texts else original

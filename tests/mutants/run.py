@@ -30,10 +30,10 @@ from mutants import fail, grouped, place_edits, read_mutants, texts_of
 
 
 class Workers:
-    """Folders for the files of tests that run side by side: two mutants may have the same test."""
+    """Runs functions side by side, each with a folder of its own: two mutants may have the same test."""
 
     def __init__(self, count):
-        self.root = tempfile.TemporaryDirectory(prefix="cm-")
+        self.root = tempfile.TemporaryDirectory(prefix="cm-")  # short, as messages and sockets hold paths
         self.free = queue.Queue()
         for number in range(count):
             self.free.put(pathlib.Path(self.root.name) / str(number))
@@ -146,8 +146,8 @@ def targets_of(mutants):
     return {test[0] for mutant in mutants for test in mutant.tests}
 
 
-def without_absent_targets(placed, source, report):
-    """Leaves out mutants whose tests this machine does not build."""
+def without_absent_targets(placed, source, may_skip, report):
+    """Leaves out mutants whose tests this machine does not build, and reports them."""
     write_tree(source, {})
     configure()
     built = set(re.findall(r"(?m)^build (\w+): phony", (BUILD / "build.ninja").read_text()))
@@ -155,7 +155,7 @@ def without_absent_targets(placed, source, report):
     for mutant, places in placed:
         absent = targets_of([mutant]) - built
         if absent:
-            report(mutant, "untried", "not built here: " + ", ".join(sorted(absent)))
+            report(mutant, "untried" if may_skip else "UNBUILT", "not built here: " + ", ".join(sorted(absent)))
         else:
             left.append((mutant, places))
     return left
@@ -171,8 +171,7 @@ def split(group, errors):
 
 def try_groups(placed, source, jobs, may_skip, report):
     workers = Workers(jobs)
-    if may_skip:
-        placed = without_absent_targets(placed, source, report)
+    placed = without_absent_targets(placed, source, may_skip, report)
     groups = grouped(placed)
     if groups and groups[0][0][0].alone:
         groups.insert(0, [])
