@@ -15,8 +15,8 @@ public:
     Mapped(const Mapped &) = delete;
     Mapped &operator=(const Mapped &) = delete;
 
-    // Once. Returns "" or a sentence, with the path and the reason. A file that gets shorter while it is mapped ends
-    // the process where what is gone is looked at.
+    // Once. Returns "" or a sentence, with the path and the reason. What cannot be read later, because the file became
+    // shorter or its disk failed, ends the process with a sentence and with 1; what is unfinished is removed.
     std::string open(const std::string &path);
 
     const char *data() const { return data_; }
@@ -25,6 +25,7 @@ public:
 private:
     const char *data_ = "";
     size_t size_ = 0;
+    int watched_ = -1;
 };
 
 }  // namespace io

@@ -23,28 +23,36 @@ Slot slots[slot_count];
 
 constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
 
-pthread_t main_thread;
+pthread_t main_thread = pthread_self();  // which runs initialisers
 
-// Async-signal-safe calls only. The main thread writes all files: where it runs this, no file appears in between.
 extern "C" void claque_io_end(int number)
 {
-    if (!pthread_equal(pthread_self(), main_thread)) {
-        pthread_kill(main_thread, number);
-        return;
-    }
-    for (const Slot &slot : slots)
-        if (slot.used.load(std::memory_order_acquire)) unlink(slot.path);
-    for (const Slot &slot : slots)
-        if (slot.used.load(std::memory_order_acquire)) rmdir(slot.path);
+    if (passed_to_main_thread(number)) return;
+    remove_unfinished();
     signal(number, SIG_DFL);
     raise(number);  // acts when this handler returns: the signal is blocked in it
 }
 
 }  // namespace
 
+// Async-signal-safe calls only. The main thread writes all files: where it runs a handler, no file appears in between.
+bool passed_to_main_thread(int number)
+{
+    if (pthread_equal(pthread_self(), main_thread)) return false;
+    pthread_kill(main_thread, number);
+    return true;
+}
+
+void remove_unfinished()
+{
+    for (const Slot &slot : slots)
+        if (slot.used.load(std::memory_order_acquire)) unlink(slot.path);
+    for (const Slot &slot : slots)
+        if (slot.used.load(std::memory_order_acquire)) rmdir(slot.path);
+}
+
 void watch_signals()
 {
-    main_thread = pthread_self();
     for (const int number : watched) {
         struct sigaction present = {};
         if (sigaction(number, nullptr, &present) != 0 || present.sa_handler == SIG_IGN) continue;

@@ -14,6 +14,11 @@ void watch_signals();
 // In a child that was forked: signals end it by their default action, and what is unfinished stays the parent's.
 void leave_files_to_parent();
 
+// For handlers of signals. The first sends a signal to the main thread, unless that is this one: it returns whether it
+// did. The second is the main thread's.
+bool passed_to_main_thread(int number);
+void remove_unfinished();
+
 // The watched signals wait while this object of the main thread exists.
 class SignalsHeld
 {
