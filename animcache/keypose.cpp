@@ -54,9 +54,17 @@ bool KeyPoseSettings::interpolates() const
                        [](const KeyPoseBand &b) { return b.mode == KeyPoseMode::interpolated; });
 }
 
+double KeyPoseTable::rate_of(const model::Template &tmpl, float rate_hz)
+{
+    double seconds = 0;
+    for (const model::Clip &clip : tmpl.rig.clips) seconds += double(clip.duration_s);
+    return seconds * double(rate_hz) > max_intervals ? max_intervals / seconds : double(rate_hz);
+}
+
 KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz)
     : rows_(memory), sample_times_(memory)
 {
+    const double rate = rate_of(tmpl, rate_hz);
     for (uint32_t clip = 0; clip < tmpl.rig.clips.size(); ++clip) {
         const model::Clip &of = tmpl.rig.clips[clip];
         Row row;
@@ -64,7 +72,7 @@ KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Templ
         row.start_s = of.start_s;
         row.duration_s = of.duration_s;
         if (of.duration_s > 0) {
-            row.intervals = static_cast<uint32_t>(std::max(1.0, std::round(double(of.duration_s) * double(rate_hz))));
+            row.intervals = static_cast<uint32_t>(std::max(1.0, std::round(double(of.duration_s) * rate)));
             row.closed = row.intervals > 1 && ends_as_it_begins(tmpl, clip);
         }
         const uint32_t poses = row.intervals + (row.closed ? 0 : 1);

@@ -43,7 +43,7 @@ void KeyPoses::reserve(uint32_t request_count, base::Span<const model::Template 
         Owner owner{&tmpl, first, first + static_cast<uint32_t>(tmpl.levels.size()),
                     KeyPoseTable(memory_, tmpl, settings_.rate_hz)};
         stores_.reserve(stores_.size() + tmpl.levels.size());
-        work_.reserve(poses += size_t(owner.table.count()) * tmpl.levels.size());
+        work_.reserve(poses += size_t(std::min(owner.table.count(), settings_.max_kept)) * tmpl.levels.size());
         for (const model::Level &level : tmpl.levels)
             stores_.emplace_back(memory_, owner.table.count(), vertex_floats(level, vertex_format_));
         owners_.push_back(std::move(owner));

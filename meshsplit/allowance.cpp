@@ -21,7 +21,9 @@ constexpr uint64_t bytes_per_point_set = 8ull * (162 + 642) + 512;
 constexpr uint64_t bytes_per_candidate = 3 * 24;  // a growing array
 // Precise evaluations of a free node (reach_nodes.cpp) are of the whole skeleton.
 constexpr uint64_t evaluations_per_node = 24;
-constexpr uint64_t parts_of_transform = 8, vertices_per_transform = 16, bytes_per_search = 2048;
+constexpr uint64_t parts_of_transform = 8, transforms_per_vertex = 8, bytes_per_search = 2048;
+// The list of poses and the times of a clip, twice: extents are found beside the search.
+constexpr uint64_t bytes_per_pose = 2 * (16 + 8);
 
 }  // namespace
 
@@ -56,21 +58,26 @@ SearchLimits search_limits(const model::Template &tmpl, const Allowance &allowan
     if (!rig.dofs.empty())
         for (const uint8_t is_free : free_nodes(rig)) free += is_free;
     // What one pose costs: a bounded sphere, or the bound of a node's motion, is a part of a transform.
-    uint64_t pose = (parts_of_transform + 1) * rig.node_count(), fixed = 0;
+    uint64_t pose = (parts_of_transform + 1) * rig.node_count(), fixed = 0, listed = 1;
     for (const model::Level &level : tmpl.levels) pose += level.part_spheres.size() + rig.palette.size();
     uint64_t steps = parts_of_transform * evaluations_per_node * free * rig.node_count();
-    for (uint32_t c = 0; c < rig.clips.size(); ++c)
-        steps += sample_count(rig, c) * (pose + parts_of_transform * rig.clips[c].channel_count);
+    for (uint32_t c = 0; c < rig.clips.size(); ++c) {
+        const uint64_t samples = sample_count(rig, c);
+        steps += samples * (pose + parts_of_transform * rig.clips[c].channel_count);
+        listed += samples;
+    }
     const uint64_t maximum = 4 * allowance.transforms();
     if (!rig.dofs.empty()) fixed = bytes_per_point_set * rig.palette.size();
     for (const model::Dof &dof : rig.dofs) fixed += DofSweep::bytes(dof, 162) + DofSweep::bytes(dof, 642);
     const uint64_t bytes = allowance.bytes() / 8 * 5;  // motion is made at the same time, of a quarter
-    out.search = steps <= maximum && fixed <= bytes;
+    const uint64_t held = fixed + bytes_per_pose * listed;
+    out.search = steps <= maximum && held <= bytes;
     if (!out.search) return out;
-    // A walk also visits poses between those that were counted.
+    // A walk also visits poses between those that are listed.
     const uint64_t per_visit = bytes_per_candidate * (free + 2);
-    out.poses = std::min(8 * maximum / std::max<uint64_t>(pose, 1), (bytes - fixed) / per_visit);
-    out.vertices = vertices_per_transform * allowance.transforms();
+    out.poses = std::min(8 * maximum / std::max<uint64_t>(pose, 1), (bytes - held) / per_visit);
+    out.search = listed <= out.poses;
+    out.vertices = allowance.transforms() / transforms_per_vertex;
     out.precise = std::max<uint64_t>(64, bytes_per_search * allowance.transforms() / std::max<uint64_t>(fixed, 1));
     return out;
 }

@@ -14,6 +14,9 @@ namespace claque::meshsplit
 std::vector<PoseAt> poses_of(const model::Rig &rig)
 {
     std::vector<PoseAt> poses(1);
+    size_t count = 1;
+    for (uint32_t clip = 0; clip < rig.clips.size(); ++clip) count += sample_count(rig, clip);
+    poses.reserve(count);
     for (uint32_t clip = 0; clip < rig.clips.size(); ++clip)
         for (const double time : sample_times(rig, clip)) poses.push_back({clip, time});
     return poses;

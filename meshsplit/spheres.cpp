@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr double samples_per_s = 60;
+constexpr size_t most_centring_poses = 1 << 14;
 
 // Returns about the centre of the smallest sphere round a few points: moves it towards the farthest point in ever
 // smaller steps.
@@ -69,9 +70,9 @@ class SphereFinder
 {
 public:
     // `left_out`: per level the vertices that FreeReach bounds, or empty.
-    SphereFinder(const model::Template &tmpl, const std::vector<PoseAt> &poses,
+    SphereFinder(const model::Template &tmpl, std::vector<PoseAt> poses,
                  const std::vector<std::vector<uint8_t>> &left_out = {})
-        : tmpl_(tmpl), poses_(poses), workspace_(tmpl.rig)
+        : tmpl_(tmpl), poses_(std::move(poses)), workspace_(tmpl.rig)
     {
         KnownVertices known;
         for (size_t i = 0; i < tmpl.levels.size(); ++i) {
@@ -97,15 +98,16 @@ public:
     }
 
     // Returns the farthest vertices in each of 26 directions, with degrees of freedom at rest. They serve only to find
-    // a centre, so within a motion every fourth pose is enough.
+    // a centre, so within a motion every fourth pose is enough, and fewer of hours.
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
         std::vector<float> maximum(axes.size(), -std::numeric_limits<float>::infinity());
         std::vector<glm::dvec3> points(axes.size());
+        const size_t stride = std::max<size_t>(4, poses_.size() / most_centring_poses);
         for (size_t i = 0; i < poses_.size(); ++i) {
             const bool amid = i > 0 && is_continuous(poses_, i - 1) && is_continuous(poses_, i);
-            if (amid && i % 4 != 0) continue;
+            if (amid && i % stride != 0) continue;
             const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
             for (const VertexCloud &cloud : clouds_)
                 for (const uint32_t v : cloud.outer()) {
@@ -258,6 +260,7 @@ std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
     const double start = double(clip.start_s), end = start + double(clip.duration_s);
     const std::vector<double> keys = keys_of(rig, clip);
     std::vector<double> out;
+    out.reserve(sample_count(rig, clip_index));
     for (const double key : keys) {
         if (key < start || key > end || (!out.empty() && key - out.back() < 1e-7)) continue;
         if (!out.empty()) {

@@ -132,7 +132,7 @@ uint32_t plant_at(const Track &track, int foot, double gone_s)
 {
     const Array<Plant> &plants = track.plants[foot];
     const Array<uint32_t> &index = track.first_plants[foot];
-    const size_t second = gone_s > 0 ? static_cast<size_t>(gone_s) : 0;
+    const size_t second = gone_s > 0 ? static_cast<size_t>(std::fmin(gone_s, double(index.size()))) : 0;
     uint32_t i = second < index.size() ? index[second] : static_cast<uint32_t>(plants.size());
     while (i < plants.size() && double(plants[i].end_s) < gone_s) ++i;
     return i;

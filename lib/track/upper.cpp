@@ -42,7 +42,7 @@ double shoulders_at(const Track &track, double gone_s)
 {
     const Array<uint32_t> &index = track.first_shoulders;
     if (index.empty() || !(gone_s > 0)) return 0;
-    const size_t second = std::min(static_cast<size_t>(gone_s), index.size() - 1);
+    const size_t second = static_cast<size_t>(std::fmin(gone_s, double(index.size() - 1)));
     for (uint32_t i = index[second]; i < track.shoulders.size(); ++i) {
         const ShoulderTurn &turn = track.shoulders[i];
         const double away = std::fabs(gone_s - double(turn.at_s)), half = double(turn.half_s);

@@ -179,7 +179,9 @@ TEST(Track, TakesAnyTimesAndPlacesWithoutHarm)
                 {t, glm::dvec3(30 * number(), number(), 30 * number()), i % 3 ? std::nan("") : 9 * number()});
         }
         const auto track = test::track_of(points);
-        for (double at = t - 60; at < t + 2; at += 0.37) {
+        std::vector<double> times = {-1.7e308, 1.7e308};
+        for (double at = t - 60; at < t + 2; at += 0.37) times.push_back(at);
+        for (const double at : times) {
             const track::State state = track::state_at(*track, at);
             ASSERT_TRUE(std::isfinite(state.position.x) && std::isfinite(state.heading_rad) &&
                         std::isfinite(state.phase));

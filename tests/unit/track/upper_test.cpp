@@ -238,6 +238,7 @@ TEST(Shoulders, TurnAwayFromThePersonThatPasses)
     EXPECT_GT(track::upper_at(*with.tracks[0], a.state(), 5).torso_rad, 0.3f) << "to the left";
     EXPECT_NEAR(track::upper_at(*with.tracks[0], a.state(), 3.9).torso_rad, 0, 1e-6);
     EXPECT_NEAR(track::upper_at(*with.tracks[0], a.state(), 6.1).torso_rad, 0, 1e-6);
+    for (const double at : {-1.7e308, 1.7e308}) EXPECT_EQ(track::upper_at(*with.tracks[0], a.state(), at).torso_rad, 0);
     // The head keeps its direction.
     c.at(5);
     EXPECT_NEAR(wrapped(a.heading(a.node("head")) - c.heading(c.node("head"))), 0, 0.03);

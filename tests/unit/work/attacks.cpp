@@ -1,5 +1,7 @@
 #include "attacks.h"
 
+#include <cmath>
+
 #include "../asset/png.h"
 
 namespace claque::testing
@@ -115,6 +117,35 @@ Bytes long_clips(size_t nodes, size_t clips, float length_s)
                                  {"samplers", Json::array({{{"input", times}, {"output", places}},
                                                            {{"input", times}, {"output", turns}}})}});
     }
+    return maker.glb();
+}
+
+Bytes turning_wheels(size_t wheels, size_t corners, float length_s)
+{
+    Maker maker = with_nodes(wheels);
+    std::vector<float> places;
+    for (size_t i = 0; i < corners; ++i) {
+        const float angle = 6.2831853f * float(i) / float(corners);
+        places.insert(places.end(), {std::cos(angle), std::sin(angle), 0});
+    }
+    Bytes corners_of_triangles;
+    for (size_t i = 2; i < corners; ++i)
+        for (const size_t corner : {size_t(0), i - 1, i})
+            corners_of_triangles.push_back(uint8_t(corner)), corners_of_triangles.push_back(uint8_t(corner >> 8));
+    const int position = maker.floats("VEC3", corners, places);
+    const int indices = maker.accessor(u16, "SCALAR", 3 * (corners - 2), corners_of_triangles);
+    maker.add("meshes",
+              {{"primitives", Json::array({{{"attributes", {{"POSITION", position}}}, {"indices", indices}}})}});
+    const int times = maker.floats("SCALAR", 2, {0, length_s});
+    const int turns = maker.floats("VEC4", 2, {0, 0, 0, 1, 0, 0, 1, 0});
+    Json channels = Json::array();
+    for (size_t i = 1; i <= wheels; ++i) {
+        maker.json["nodes"][i]["mesh"] = 1;
+        maker.json["nodes"][i]["translation"] = {3 * i, 0, 0};
+        channels.push_back(channel(0, i, "rotation"));
+    }
+    maker.add("animations",
+              {{"channels", channels}, {"samplers", Json::array({{{"input", times}, {"output", turns}}})}});
     return maker.glb();
 }
 

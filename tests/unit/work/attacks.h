@@ -19,6 +19,8 @@ const std::vector<Attack> &reader_attacks();
 
 // `nodes` nodes in a row, each turned or moved by every one of `clips` clips, with keys at 0, 0.001 and `length_s`.
 Bytes long_clips(size_t nodes, size_t clips, float length_s);
+// `wheels` rings of `corners` corners, each on a node that turns through half a turn until `length_s`.
+Bytes turning_wheels(size_t wheels, size_t corners, float length_s);
 // A triangle on `count` materials of different colours, which share one image of `side` by `side` texels.
 Bytes tinted_images(size_t count, uint32_t side);
 // One clip of `count` channels, each for a node of its own, that share `count` keys.
