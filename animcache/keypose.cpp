@@ -34,6 +34,15 @@ bool ends_as_it_begins(const model::Template &tmpl, uint32_t clip)
            near(start_weights.data(), space.weights().begin(), start_weights.size());
 }
 
+// Key-poses a second of each clip.
+double rate_of(const model::Template &tmpl, float rate_hz)
+{
+    double seconds = 0;
+    for (const model::Clip &clip : tmpl.rig.clips) seconds += double(clip.duration_s);
+    return seconds * double(rate_hz) > KeyPoseTable::max_intervals ? KeyPoseTable::max_intervals / seconds
+                                                                   : double(rate_hz);
+}
+
 }  // namespace
 
 KeyPoseMode KeyPoseSettings::mode_at(float distance) const
@@ -52,13 +61,6 @@ bool KeyPoseSettings::interpolates() const
 {
     return std::any_of(bands, bands + band_count,
                        [](const KeyPoseBand &b) { return b.mode == KeyPoseMode::interpolated; });
-}
-
-double KeyPoseTable::rate_of(const model::Template &tmpl, float rate_hz)
-{
-    double seconds = 0;
-    for (const model::Clip &clip : tmpl.rig.clips) seconds += double(clip.duration_s);
-    return seconds * double(rate_hz) > max_intervals ? max_intervals / seconds : double(rate_hz);
 }
 
 KeyPoseTable::KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz)

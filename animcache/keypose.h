@@ -62,8 +62,9 @@ struct KeyPoseSelection {
 class KeyPoseTable
 {
 public:
-    // Of all clips together. Where they last longer, there are fewer a second.
+    // Intervals of all clips together, besides one for each clip. Where clips last longer, the rate is lower.
     static constexpr uint32_t max_intervals = 1 << 17;
+
     // At start-up: allocates. Throws std::bad_alloc.
     KeyPoseTable(std::pmr::memory_resource *memory, const model::Template &tmpl, float rate_hz);
 
@@ -79,8 +80,6 @@ public:
     const SampleTime &at(uint32_t pose) const { return sample_times_[pose]; }
 
 private:
-    static double rate_of(const model::Template &tmpl, float rate_hz);
-
     struct Row {
         uint32_t first = 0, intervals = 0;
         bool closed = false;

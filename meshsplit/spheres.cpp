@@ -20,7 +20,6 @@ namespace
 {
 
 constexpr double samples_per_s = 60;
-constexpr size_t most_centring_poses = 1 << 14;
 
 // Returns about the centre of the smallest sphere round a few points: moves it towards the farthest point in ever
 // smaller steps.
@@ -98,16 +97,15 @@ public:
     }
 
     // Returns the farthest vertices in each of 26 directions, with degrees of freedom at rest. They serve only to find
-    // a centre, so within a motion every fourth pose is enough, and fewer of hours.
+    // a centre, so within a motion every fourth pose is enough.
     std::vector<glm::dvec3> extremes()
     {
         const std::vector<glm::vec3> axes = directions();
         std::vector<float> maximum(axes.size(), -std::numeric_limits<float>::infinity());
         std::vector<glm::dvec3> points(axes.size());
-        const size_t stride = std::max<size_t>(4, poses_.size() / most_centring_poses);
         for (size_t i = 0; i < poses_.size(); ++i) {
             const bool amid = i > 0 && is_continuous(poses_, i - 1) && is_continuous(poses_, i);
-            if (amid && i % stride != 0) continue;
+            if (amid && i % 4 != 0) continue;
             const auto palette = workspace_.pose(poses_[i].clip, poses_[i].time_s);
             for (const VertexCloud &cloud : clouds_)
                 for (const uint32_t v : cloud.outer()) {
@@ -243,15 +241,19 @@ std::vector<double> keys_of(const model::Rig &rig, const model::Clip &clip)
 // Samples from one key to the next, without the first.
 int pieces_of(double gap) { return static_cast<int>(std::min(1e6, std::ceil(gap * samples_per_s - 0.01))); }
 
-}  // namespace
-
-uint64_t sample_count(const model::Rig &rig, uint32_t clip_index)
+uint64_t samples_between(const std::vector<double> &keys)
 {
-    const std::vector<double> keys = keys_of(rig, rig.clips[clip_index]);
     uint64_t count = 1;
     for (size_t i = 1; i < keys.size(); ++i)
         if (keys[i] > keys[i - 1]) count += static_cast<uint64_t>(std::max(1, pieces_of(keys[i] - keys[i - 1])));
     return count;
+}
+
+}  // namespace
+
+uint64_t sample_count(const model::Rig &rig, uint32_t clip_index)
+{
+    return samples_between(keys_of(rig, rig.clips[clip_index]));
 }
 
 std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
@@ -260,7 +262,7 @@ std::vector<double> sample_times(const model::Rig &rig, uint32_t clip_index)
     const double start = double(clip.start_s), end = start + double(clip.duration_s);
     const std::vector<double> keys = keys_of(rig, clip);
     std::vector<double> out;
-    out.reserve(sample_count(rig, clip_index));
+    out.reserve(samples_between(keys));
     for (const double key : keys) {
         if (key < start || key > end || (!out.empty() && key - out.back() < 1e-7)) continue;
         if (!out.empty()) {

@@ -43,9 +43,9 @@ typedef struct clq_key_poses {
     /* [band_count] distances are finite, 0 or more, and ascend. Actors nearer than the first band are INDIVIDUAL. One
      * band at 0 m sets one mode for the whole crowd. */
     clq_key_pose_band bands[CLQ_KEY_POSE_BAND_MAX];
-    uint32_t band_count;   /* default 0: all actors are INDIVIDUAL */
-    /* [0.5, 120] key-poses per second of each clip, adjusted to divide it evenly. Default 15. A template has about
-     * 131 000 at most: where its clips last longer together, there are fewer per second. */
+    uint32_t band_count; /* default 0: all actors are INDIVIDUAL */
+    /* [0.5, 120] key-poses per second of each clip, adjusted to divide it evenly. Default 15. A template
+     * has about 131 000 at most. If its clips are longer in total, the rate is lower. */
     float rate_hz;
     uint32_t max_kept;     /* key-poses kept skinned for each template and level; may be 0. Default 256 */
     uint64_t budget_bytes; /* memory of all kept key-poses; 0 (default): 256 MiB */

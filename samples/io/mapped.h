@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
+
+#include "samples/io/watched_pages.h"
 
 namespace io
 {
@@ -25,7 +28,7 @@ public:
 private:
     const char *data_ = "";
     size_t size_ = 0;
-    int watched_ = -1;
+    std::optional<WatchedPages> pages_;
 };
 
 }  // namespace io

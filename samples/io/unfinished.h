@@ -14,9 +14,10 @@ void watch_signals();
 // In a child that was forked: signals end it by their default action, and what is unfinished stays the parent's.
 void leave_files_to_parent();
 
-// For handlers of signals. The first sends a signal to the main thread, unless that is this one: it returns whether it
-// did. The second is the main thread's.
+// Both may be called in a signal handler. Sends the signal to the main thread, unless this is the main thread; returns
+// whether it was sent.
 bool passed_to_main_thread(int number);
+// The main thread may call this. It removes every Unfinished.
 void remove_unfinished();
 
 // The watched signals wait while this object of the main thread exists.

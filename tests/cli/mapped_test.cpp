@@ -45,7 +45,7 @@ protected:
 class MappedRecord : public Drawing
 {
 protected:
-    // Of 100 people who walk for a minute.
+    // One minute of 100 walkers.
     void write_record() const
     {
         std::ofstream table(path("many.csv"));
