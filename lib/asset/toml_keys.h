@@ -1,5 +1,5 @@
-// Guards the TOML parser, which limits nested values but neither the parts of a dotted key nor, with them, the depth of
-// the tables that it makes and frees by recursion.
+// Guards the TOML parser. It limits nested values but not the parts of a dotted key, and makes and frees the tables of
+// these parts by recursion. Some letters outside of strings, as U+00DF, reach code that it takes for unreachable.
 #pragma once
 
 #include <cstdint>
@@ -13,5 +13,9 @@ constexpr uint32_t max_key_parts = 16;
 // The number of the first line that has a key, a.b.c, of more than max_key_parts parts; 0: there is none. It need not
 // detect wrong syntax.
 uint32_t line_of_deep_key(std::string_view text);
+
+// The number of the first line that has a letter outside of ASCII, which TOML allows in strings and comments alone; 0:
+// there is none. A byte order mark at the start is none.
+uint32_t line_of_stray_letter(std::string_view text);
 
 }  // namespace claque::asset

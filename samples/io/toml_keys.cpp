@@ -20,11 +20,11 @@ size_t end_of_string(std::string_view text, size_t at)
     return text.size();
 }
 
-}  // namespace
-
-uint32_t line_of_deep_key(std::string_view text)
+// The number of the line with the first byte outside of strings and comments that `stops(byte)` says; 0: there is none.
+template <class Stops>
+uint32_t line_of(std::string_view text, Stops stops)
 {
-    uint32_t line = 1, parts = 1;
+    uint32_t line = 1;
     for (size_t i = 0; i < text.size();) {
         const char c = text[i];
         if (c == '"' || c == '\'') {
@@ -36,12 +36,30 @@ uint32_t line_of_deep_key(std::string_view text)
             while (i < text.size() && text[i] != '\n') ++i;
             continue;
         }
-        if (c == '.' && ++parts > max_key_parts) return line;
-        if (c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}' || c == '\n') parts = 1;
+        if (stops(c)) return line;
         line += c == '\n';
         ++i;
     }
     return 0;
+}
+
+}  // namespace
+
+uint32_t line_of_deep_key(std::string_view text)
+{
+    uint32_t parts = 1;
+    return line_of(text, [&parts](char c) {
+        if (c == '.') return ++parts > max_key_parts;
+        if (c == '=' || c == ',' || c == '[' || c == ']' || c == '{' || c == '}' || c == '\n') parts = 1;
+        return false;
+    });
+}
+
+uint32_t line_of_stray_letter(std::string_view text)
+{
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    if (text.substr(0, mark.size()) == mark) text.remove_prefix(mark.size());
+    return line_of(text, [](char c) { return (c & 0x80) != 0; });
 }
 
 }  // namespace io

@@ -61,7 +61,7 @@ void add_states(const toml::table &states, const std::string &within, std::vecto
 // the stage says what is wrong with it.
 void look_into(std::string &text, const std::vector<Place> &places, Machine &out)
 {
-    if (io::line_of_deep_key(text) != 0) return;
+    if (io::line_of_deep_key(text) != 0 || io::line_of_stray_letter(text) != 0) return;
     const toml::parse_result read = toml::parse(std::string_view(text));
     if (!read) return;
     if (const toml::table *states = read.table()["states"].as_table()) add_states(*states, "", out.states);

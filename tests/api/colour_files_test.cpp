@@ -222,6 +222,9 @@ TEST_F(ColourFiles, FailuresToReadOrWriteAreReported)
     for (int i = 0; i < 300000; ++i) deep += " . 'a'";
     EXPECT_EQ(clq_colour_map_load(context_, (deep + " = 1\n").data(), deep.size() + 5, nullptr, &map), CLQ_LIMIT);
     EXPECT_TRUE(mentions("line 2: a key has more than 16 parts")) << clq_last_error();
+    const std::string stray = "# \u00DF\n\u00DF = 1\n";
+    EXPECT_EQ(clq_colour_map_load(context_, stray.data(), stray.size(), nullptr, &map), CLQ_FORMAT);
+    EXPECT_TRUE(mentions("line 2: a letter outside of strings")) << clq_last_error();
     EXPECT_EQ(clq_colour_map_load(nullptr, "", 0, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(clq_colour_map_load(context_, nullptr, 5, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(map, nullptr);
