@@ -19,7 +19,7 @@ import time
 
 FRAMES = 120
 SCENE = ["render", "--scene", "plaza", "--count", "12", "--size", "64x48", "--threads", "1"]
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
        "OMPI_MCA_btl": "self,vader", "OMPI_MCA_plm_rsh_agent": "/bin/false"}
 
 
@@ -77,7 +77,8 @@ class Trial:
         """One film; each of its jobs but the last loses a rank."""
         for attempt in range(4):
             divide = self.dice.choice(["frames", "tiles"])
-            running = self.start(["mpirun", "-n", "3", self.command, *film_words(self.folder), "--divide", divide])
+            mpirun = ["mpirun", "--map-by", "slot:oversubscribe", "-n", "3"]
+            running = self.start([*mpirun, self.command, *film_words(self.folder), "--divide", divide])
             if attempt < 3:
                 self.pause(1)
                 ones = children(running.pid)

@@ -28,15 +28,14 @@ protected:
 #endif
         for (const auto &[name, value] :
              {std::pair("OMPI_ALLOW_RUN_AS_ROOT", "1"), std::pair("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1"),
-              std::pair("OMPI_MCA_rmaps_base_oversubscribe", "1"), std::pair("OMPI_MCA_btl", "self,vader"),
-              std::pair("OMPI_MCA_plm_rsh_agent", "/bin/false"),
+              std::pair("OMPI_MCA_btl", "self,vader"), std::pair("OMPI_MCA_plm_rsh_agent", "/bin/false"),
               // Open MPI itself keeps memory to the end; what claque would lose, processes without it would too.
               std::pair("ASAN_OPTIONS", "detect_leaks=0")})
             setenv(name, value, 1);
     }
     Outcome mpirun(int ranks, const Words &words)
     {
-        Words all = {"mpirun", "-n", std::to_string(ranks), CLAQUE_COMMAND};
+        Words all = {"mpirun", "--map-by", "slot:oversubscribe", "-n", std::to_string(ranks), CLAQUE_COMMAND};
         all.insert(all.end(), words.begin(), words.end());
         return run_program(all);
     }
@@ -122,7 +121,7 @@ TEST_F(Ranks, TakeAsManyThreadsAsTheirSchedulerGaveCores)
 {
     // Their environment alone says so: mpirun would look for Slurm.
     const auto threads = [this](const Words &variables) {
-        Words words = {"mpirun", "-n", "2", "env", "SLURM_JOB_ID=7"};
+        Words words = {"mpirun", "--map-by", "slot:oversubscribe", "-n", "2", "env", "SLURM_JOB_ID=7"};
         words.insert(words.end(), variables.begin(), variables.end());
         words.insert(words.end(), {CLAQUE_COMMAND, "render", "--scene", "plaza", "--count", "2", "--size", "32x24",
                                    "--out", path("a.png"), "--json", path("a.json")});

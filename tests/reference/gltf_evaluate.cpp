@@ -72,7 +72,7 @@ std::vector<Node> posed_nodes(const Character &character, size_t clip, double ti
         }
         if (node.has_matrix) throw std::runtime_error("node " + node.name + " has a matrix and is animated");
         if (channel.path == Path::Rotation) node.rotation = quat_of(v);
-        else (channel.path == Path::Translation ? node.translation : node.scale) = {v.at(0), v.at(1), v.at(2)};
+        else (channel.path == Path::Translation ? node.translation : node.scale) = Vec3{v.at(0), v.at(1), v.at(2)};
     }
     return nodes;
 }
