@@ -1,4 +1,4 @@
-// The libraries that a build may lack (cmake/decoders.cmake): decoders of compressed data, and readers of XML, SQL and
+// The libraries that a build may lack (cmake/parts.cmake): decoders of compressed data, and readers of XML, SQL and
 // gzip.
 #pragma once
 

@@ -5,7 +5,11 @@
 #include <map>
 #include <set>
 
+#if __has_include(<embree4/rtcore.h>)
+#include <embree4/rtcore.h>
+#else
 #include <embree3/rtcore.h>
+#endif
 
 #include "samples/scenes/check.h"
 
@@ -228,14 +232,20 @@ std::vector<Return> RayScene::cast(const std::vector<Ray> &rays) const
 {
     std::vector<Return> out;
     out.reserve(rays.size());
+#if RTC_VERSION_MAJOR < 4
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
+#endif
     for (const Ray &ray : rays) {
         RTCRayHit hit = {};
         hit.ray.dir_x = ray.direction[0], hit.ray.dir_y = ray.direction[1], hit.ray.dir_z = ray.direction[2];
         hit.ray.tfar = ray.max_distance, hit.ray.mask = ~0u;
         hit.hit.geomID = RTC_INVALID_GEOMETRY_ID, hit.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+#if RTC_VERSION_MAJOR < 4
         rtcIntersect1(parts_->scene, &context, &hit);
+#else
+        rtcIntersect1(parts_->scene, &hit);
+#endif
         out.push_back(parts_->returned(hit));
     }
     return out;
