@@ -1,4 +1,4 @@
-# Verbs over the CMake presets. `make run` and `make test` do everything on a fresh Debian 12.
+# Verbs over the CMake presets. `make run` and `make test` do everything on a bare Debian.
 PRESET ?= release
 BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
@@ -6,7 +6,7 @@ CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
-    fuzz faults soak bench golden-accept abi-accept install package test-package test-bare test-hosts docs test-i386 \
+    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-hosts docs test-i386 \
     test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
 
 help:
@@ -25,7 +25,7 @@ help:
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
-	@echo "make test-bare  make run and make test in a clone on a bare Debian 12, held to 3 and 15 minutes (needs root)"
+	@echo "make test-bare  each command of the README on bare Debian systems (SUITES='bookworm trixie forky'; needs root)"
 	@echo "make test-hosts claque in sumo-gui, osgviewer, Coin and VTK on a screen of its own; what is missing is named"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
@@ -44,15 +44,18 @@ build: setup
 	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON)
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
-# The claque command alone: no test, no benchmark, no host. `make run` needs its subcommands that draw pictures.
-BUILD_ONLY = cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || { $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); }; \
-    cmake --build --preset $(PRESET) -j $(JOBS) --target
+# No test, no benchmark and no host, if they are not part of the build already.
+CONFIGURE_FEW = if [ -e $(BUILD)/build.ninja ]; then $(call CONFIGURE,); \
+    else $(call CONFIGURE,-DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF); fi
+BUILD_FEW = cmake --build --preset $(PRESET) -j $(JOBS) --target
 
+# The claque command alone.
 command:
-	@set -e; $(BUILD_ONLY) claque_cli
+	@set -e; cmake/setup.sh command; $(CONFIGURE_FEW); $(BUILD_FEW) claque_cli
 
+# The subcommands that draw pictures, which need fewer packages.
 run:
-	@set -e; $(BUILD_ONLY) claque_pictures
+	@set -e; cmake/setup.sh run; [ -e $(BUILD)/build.ninja ] || { $(CONFIGURE_FEW); }; $(BUILD_FEW) claque_pictures
 	@mkdir -p out
 	$(PICTURES) render --scene odeon --size 1024x768 --out out/odeon.png --json out/odeon.json
 	$(PICTURES) render --scene odeon --size 1024x768 --camera close --out out/odeon-close.png
@@ -158,7 +161,11 @@ abi-accept: build
 	tests/abi/list.sh $(BUILD)/lib/api/assets/libclaque-assets.so > tests/abi/libclaque-assets.abi
 	tests/abi/list.sh $(BUILD)/lib/stage/libclaque-stage.so > tests/abi/libclaque-stage.abi
 
-install: build
+# All that is installed.
+installed:
+	@set -e; cmake/setup.sh command; $(CONFIGURE_FEW); $(BUILD_FEW) claque_installed
+
+install: installed
 	@cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
 
 # What each depends on is asked of dpkg-shlibdeps.
@@ -172,9 +179,10 @@ package: build
 test-package: package
 	@tests/bare_debian.sh packages out/packages
 
-# A clone on a bare Debian 12: both commands of the README, held to their times (two idle cores; needs root).
+# The commands of the README on bare Debian systems, held to their times (two idle cores; needs root).
+SUITES ?= bookworm trixie forky
 test-bare:
-	@tests/bare_debian.sh clone
+	@tests/bare/run.py $(SUITES)
 
 # Programs and scenegraphs that claque knows nothing of; each is skipped by name where it is not installed.
 test-hosts: build

@@ -26,3 +26,12 @@ endif()
 if(CLAQUE_STAGE)
     claque_pc(claque-stage "People who decide, for claque: state machines, a scheduler, flows" claque "-lstdc++ -lm")
 endif()
+
+# All that is installed.
+set(installed claque claque_static)
+foreach(target claque-assets claque-assets_static claque-stage claque-stage_static claque_manual claque_mpi osgdb_claque)
+    if(TARGET ${target})
+        list(APPEND installed ${target})
+    endif()
+endforeach()
+add_custom_target(claque_installed DEPENDS ${installed})

@@ -14,7 +14,7 @@ namespace
 std::string make(const std::string &arguments)
 {
     return "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\nmake --no-print-directory -C '" CLAQUE_SOURCE_DIR
-           "' -o build BUILD='" CLAQUE_BUILD_DIR "' " +
+           "' -o installed BUILD='" CLAQUE_BUILD_DIR "' " +
            arguments + "\n";
 }
 

@@ -1,7 +1,7 @@
 // What README.md and docs/hosts.md say about building a program with claque, done word for word: their files are
-// written and their commands run, each way in a home of its own. Two things replace what would take minutes: `make`
-// installs the existing build instead of building again (`-o build`), and the project that has claque as a folder takes
-// objects from that build where it compiles the same source in the same way (reuse.sh).
+// written and their commands run, each way in a home of its own. Three things replace what would take minutes: `make`
+// installs the existing build instead of building again (`-o installed`), `apt-get` does nothing, and the project that
+// has claque as a folder takes objects from that build where it compiles the same source in the same way (reuse.sh).
 #include "tests/embed/readme.h"
 
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ std::string environment(const Scratch &home)
            "export CLAQUE_REUSE_BUILD='" + build + "' CLAQUE_REUSE_SOURCE='" + source + "'\n" +
            "export CMAKE_C_COMPILER_LAUNCHER='" + here + "reuse.sh' CMAKE_CXX_COMPILER_LAUNCHER='" + here +
            "reuse.sh'\n" + "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\n" +
-           "make() { command make --no-print-directory -C '" + source + "' -o build BUILD='" + build + "' \"$@\"; }\n" +
-           "cc() { command cc $CFLAGS \"$@\"; }\n";
+           "make() { command make --no-print-directory -C '" + source + "' -o installed BUILD='" + build + "' \"$@\"; }\n" +
+           "cc() { command cc $CFLAGS \"$@\"; }\n" + "apt-get() { :; }\n";
 }
 
 class Readme : public testing::Test

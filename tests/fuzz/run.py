@@ -32,14 +32,14 @@ MERGED_BYTES = 29000  # of one corpus in the tree
 def why_not():
     """A line that names what is missing, or nothing."""
     if not shutil.which('clang++'):
-        return 'skipped: the fuzzers need clang++ (apt-get install clang libclang-rt-14-dev)'
+        return 'skipped: the fuzzers need clang++ (cmake/setup.sh fuzz installs it)'
     probe = subprocess.run(
         ['clang++', '-fsanitize=fuzzer,address', '-x', 'c++', '-', '-o', os.devnull],
         input='extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }',
         text=True,
         capture_output=True,
     )
-    return '' if probe.returncode == 0 else 'skipped: the fuzzers need libFuzzer (apt-get install libclang-rt-14-dev)'
+    return '' if probe.returncode == 0 else 'skipped: the fuzzers need libFuzzer (cmake/setup.sh fuzz installs it)'
 
 
 def jobs():

@@ -1,0 +1,233 @@
+#!/usr/bin/env python3
+"""run.py SUITE...: runs the commands of README.md on bare Debian systems, and ends with one table.
+
+Each suite is debootstrap's smallest, in a folder of its own, with a clone of this repository. The commands of the first
+block run there line by line. Each other block runs in a copy of the system as `make run` left it, so it finds only what
+`make run` and its own commands installed. The exit status is 1 if a command failed, if `make run` or `make test` took
+longer than MAX_RUN_S (180) or MAX_TEST_S (900) seconds once packages were installed (meant for two idle cores), if
+every test was skipped, or if a suite could not be fetched. Needs root, debootstrap and Debian's archive. Logs and
+pictures are left in out/bare/SUITE.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+SOURCE = pathlib.Path(__file__).resolve().parents[2]
+LIMITS_S = {"make run": float(os.environ.get("MAX_RUN_S", 180)), "make test": float(os.environ.get("MAX_TEST_S", 900))}
+GROUPS = {"make run": "run", "make command": "command", "make test": "all"}  # of cmake/setup.sh
+# A screen without a monitor for the program of the README; its pixels are read from the file that Xvfb keeps.
+SHOW = """
+apt-get install -y -qq --no-install-recommends xvfb > /xvfb.log 2>&1
+mkdir /screen
+Xvfb :9 -screen 0 1024x768x24 -fbdir /screen > /screen.log 2>&1 &
+sleep 2
+export LD_LIBRARY_PATH=$HOME/.local/lib
+DISPLAY=:9 timeout 20 ./window > /window.log 2>&1 &
+sleep 12
+cp /screen/Xvfb_screen0 /screen.xwd
+wait $! || [ $? = 124 ]
+"""
+
+
+class Failed(Exception):
+    pass
+
+
+class Bare:
+    """A bare system in a folder. Commands run there as root, with no variables of this one."""
+
+    def __init__(self, suite, root, logs):
+        self.suite, self.root, self.logs = suite, root, logs
+
+    @classmethod
+    def fetch(cls, suite, root, logs):
+        scripts = pathlib.Path("/usr/share/debootstrap/scripts")
+        script = [] if (scripts / suite).exists() else ["", str(scripts / "sid")]  # suites younger than debootstrap
+        with open(logs / "debootstrap.log", "w") as log:
+            command = ["debootstrap", "--variant=minbase", suite, str(root), *script]
+            if subprocess.run(command, stdout=log, stderr=log).returncode != 0:
+                raise Failed(f"debootstrap could not fetch it: see {log.name}")
+        shutil.copy("/etc/resolv.conf", root / "etc")
+        for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*proxy*"):
+            shutil.copy(file, root / "etc/apt/apt.conf.d")
+        return cls(suite, root, logs)
+
+    def copy(self, name):
+        other = self.root.with_name(f"{self.root.name}-{name}")
+        subprocess.run(["cp", "-a", "--reflink=auto", self.root, other], check=True)
+        return Bare(self.suite, other, self.logs)
+
+    def remove(self):
+        shutil.rmtree(self.root, ignore_errors=True)
+
+    def run(self, script, log, folder="/claque"):
+        """Runs a script; returns its seconds. Mounts end with the namespace."""
+        mounts = 'mount -t proc proc "$0/proc" && mount -t sysfs sys "$0/sys" && mount --rbind /dev "$0/dev"'
+        enter = f'{mounts} && exec chroot "$0" env -i "$@"'
+        variables = ["PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C", "DEBIAN_FRONTEND=noninteractive"]
+        inside = ["sh", "-ec", f"cd {folder}\n{script}"]
+        command = ["unshare", "-m", "sh", "-c", enter, str(self.root), *variables, *inside]
+        begun = time.monotonic()
+        with open(self.logs / f"{log}.log", "w") as out:
+            code = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out).returncode
+        seconds = time.monotonic() - begun
+        if code != 0:
+            text = (self.logs / f"{log}.log").read_text(errors="replace")
+            raise Failed(f"'{script.strip().splitlines()[0]}' ended with {code}: {text.strip()[-600:]}")
+        return seconds
+
+    def says(self, command):
+        self.run(command, "says")
+        return (self.logs / "says.log").read_text().strip()
+
+    def write(self, path, text):
+        target = self.root / path.lstrip("/")
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text)
+
+
+def blocks_of(page):
+    """(section, file that the text before names, language, text) of each block of code of a page."""
+    section, file, found = "", "", []
+    for part in re.finditer(r"^## ([^\n]*)$|`([\w.]+)`[^`\n]*:$|^```(\w*)\n(.*?)^```$", page, re.M | re.S):
+        if part[1]:
+            section = part[1]
+        elif part[2]:
+            file = part[2]
+        else:
+            found.append((section, file if part[3] == "c" else "", part[3], part[4]))
+    return found
+
+
+def colours_of(screen):
+    """How many colours a picture of the X window system (XWD, 32 bits a pixel) has."""
+    begin = int.from_bytes(screen[:4], "big") + 12 * int.from_bytes(screen[76:80], "big")
+    return len({screen[i : i + 4] for i in range(begin, len(screen) - 3, 4)})
+
+
+def timed(bare, command, number):
+    """Seconds of a command of the README, once the packages that it would install are there."""
+    if command in GROUPS:
+        bare.run(f"cmake/setup.sh {GROUPS[command]}", f"{number}-packages")
+    seconds = bare.run(command, f"{number}-{re.sub('[^a-z]+', '-', command.lower())[:24]}")
+    if seconds > LIMITS_S.get(command, seconds):
+        raise Failed(f"'{command}' took {seconds:.0f} s, more than {LIMITS_S[command]:.0f}")
+    return seconds
+
+
+def try_window(bare, blocks, steps):
+    for _, file, language, text in blocks:
+        if language == "c":
+            bare.write(f"/claque/{file}", text)  # the folder of the sources serves as that of the program
+        else:
+            steps["window.c"] = bare.run(text, "window")
+    bare.run(SHOW, "window-shown")
+    colours = colours_of((bare.root / "screen.xwd").read_bytes())
+    if colours < 100:
+        raise Failed(f"the window of the README shows {colours} colours, which is no crowd")
+
+
+def try_commands(bare, blocks, steps):
+    for _, _, _, text in blocks:
+        for line in re.sub(r"\\\n", " ", text).splitlines():
+            words = line.split()
+            name = " ".join(words[:2]) if words[0] == "make" else "claque " + words[1]
+            if name in GROUPS:
+                steps[name] = timed(bare, name, "walk")
+            else:
+                steps[name] = steps.get(name, 0) + bare.run(line, f"walk-{words[1]}")
+    for picture in bare.root.glob("claque/*.png"):
+        shutil.copy(picture, bare.logs)
+
+
+def tests_of(log):
+    """(passed, failed, [skipped]) of CTest's output; throws where all were skipped."""
+    ends = re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+) \.+ *(\**\w[\w ]*?) +[\d.]+ sec", log, re.M)
+    skipped = [name for name, end in ends if "Skipped" in end]
+    failed = [name for name, end in ends if end != "Passed" and "Skipped" not in end]
+    passed = len(ends) - len(skipped) - len(failed)
+    if passed == 0:
+        raise Failed("no test passed")
+    if failed:
+        raise Failed(f"{len(failed)} tests failed: {' '.join(failed[:20])}")
+    return passed, len(failed), skipped
+
+
+def try_suite(suite, root, logs, row):
+    bare = Bare.fetch(suite, root, logs)
+    blocks = blocks_of((SOURCE / "README.md").read_text())
+    first = next(text for section, _, _, text in blocks if section == "Two commands")
+    install, make_run, make_test = (re.sub(r"\s*#.*", "", line) for line in first.splitlines())
+    steps = row["steps"]
+    bare.run(install, "0-install", folder="/")
+    subprocess.run(["git", "clone", "-q", str(SOURCE), str(root / "claque")], check=True)
+    steps[make_run] = timed(bare, make_run, 1)
+    for picture in (root / "claque/out").glob("*.png"):
+        shutil.copy(picture, logs)
+    row["compiler"] = bare.says("c++ -dumpfullversion")
+    row["cmake"] = bare.says("cmake --version | sed -n '1s/[^0-9]*//p'")
+    row["mesa"] = bare.says("dpkg-query -W -f '${Version}' libgl1-mesa-dri | sed 's/-.*//'")
+    others = [("A crowd in your own window", try_window), ("People who walk and decide", try_commands)]
+    for section, attempt in others:
+        copy = bare.copy(section.split()[-1])
+        try:
+            attempt(copy, [block for block in blocks if block[0] == section], steps)
+        finally:
+            copy.remove()
+    steps[make_test] = timed(bare, make_test, 2)
+    log = (logs / f"2-{make_test.replace(' ', '-')}.log").read_text(errors="replace")
+    row["passed"], row["failed"], row["skipped"] = tests_of(log)
+
+
+def table(rows):
+    names = list(dict.fromkeys(name for row in rows.values() for name in row["steps"]))
+    head = ["suite", "compiler", "CMake", "Mesa", *names, "passed", "failed", "skipped"]
+    lines = [head]
+    for suite, row in rows.items():
+        steps = [f"{row['steps'][name]:.0f} s" if name in row["steps"] else "-" for name in names]
+        counts = [str(row.get("passed", "-")), str(row.get("failed", "-")), str(len(row.get("skipped", [])))]
+        lines.append([suite, *(row.get(key, "-") for key in ("compiler", "cmake", "mesa")), *steps, *counts])
+    widths = [max(len(line[k]) for line in lines) for k in range(len(head))]
+    for line in lines:
+        print("  ".join(cell.ljust(width) for cell, width in zip(line, widths)).rstrip())
+    for suite, row in rows.items():
+        for name in row.get("skipped", []):
+            print(f"{suite}: skipped {name}")
+        if "why" in row:
+            print(f"{suite}: FAILED: {row['why']}")
+
+
+def main():
+    suites = sys.argv[1:]
+    if not suites:
+        sys.exit(__doc__)
+    absent = [name for name in ("debootstrap", "unshare", "chroot", "git") if not shutil.which(name)]
+    if absent or os.geteuid() != 0:
+        sys.exit(f"test-bare needs {'root' if not absent else ' '.join(absent)}")
+    rows = {}
+    for suite in suites:
+        row = rows[suite] = {"steps": {}}
+        logs = SOURCE / "out/bare" / suite
+        shutil.rmtree(logs, ignore_errors=True)
+        logs.mkdir(parents=True)
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="bare-"))
+        folder.chmod(0o755)
+        print(f"{suite}: begun; logs are in {logs.relative_to(SOURCE)}", flush=True)
+        try:
+            try_suite(suite, folder / suite, logs, row)
+        except Failed as failure:
+            row["why"] = str(failure)
+            print(f"{suite}: {failure}", flush=True)
+        finally:
+            shutil.rmtree(folder, ignore_errors=True)
+    table(rows)
+    sys.exit(any("why" in row for row in rows.values()))
+
+
+if __name__ == "__main__":
+    main()
