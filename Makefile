@@ -6,15 +6,17 @@ CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
-    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-hosts docs test-i386 \
-    test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest coverage check format clean
+    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-hosts docs \
+    test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest nightly coverage check \
+    format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
 	@echo "make test       install what is missing, build, run every test"
-	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: all the rest of CI)"
+	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: all of CI, 70 minutes at most)"
+	@echo "make nightly    the checks that take too long for CI, for hours, with one table at the end (STEPS='faults soak': some)"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
@@ -79,13 +81,17 @@ video: command
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
 
-# The plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary; ci-all also
-# runs each fuzzer for 20 s, tries ten mutants and runs test-threads.
-ci: build
+# make build, the plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary;
+# ci-all also runs test-threads, runs each fuzzer for 20 s and tries ten mutants.
+ci:
 	@cmake/ci.sh $(BUILD) $(JOBS)
 
-ci-all: build
+ci-all:
 	@cmake/ci.sh $(BUILD) $(JOBS) all
+
+# The checks that seldom fail and take long, one after the other; each is a target of this file.
+nightly:
+	@cmake/nightly.sh $(JOBS) $(STEPS)
 
 test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*
