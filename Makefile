@@ -7,8 +7,8 @@ PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
     fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-hosts docs \
-    test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest nightly coverage check \
-    format clean
+    test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest nightly release \
+    coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -17,6 +17,7 @@ help:
 	@echo "make test       install what is missing, build, run every test"
 	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: all of CI, 70 minutes at most)"
 	@echo "make nightly    the checks that take too long for CI, for hours, with one table at the end (STEPS='faults soak': some)"
+	@echo "make release    checks version, changelog and tree, runs the tests; sources, wheel, .debs and sums into out/release"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
@@ -92,6 +93,10 @@ ci-all:
 # The checks that seldom fail and take long, one after the other; each is a target of this file.
 nightly:
 	@cmake/nightly.sh $(JOBS) $(STEPS)
+
+# CONTRIBUTING.md says how a release is made.
+release:
+	@cmake/release.sh
 
 test-asan test-tsan test-scalar: test-%:
 	@$(MAKE) --no-print-directory build PRESET=$*

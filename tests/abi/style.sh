@@ -7,7 +7,7 @@ bad=0
 report() { [ -z "$2" ] || { echo "$1:"; echo "$2" | head -n 400 | sed 's/^/    /'; bad=1; }; }
 
 # The top level belongs to the project's owner.
-allowed=' .ci .clang-format .git .gitignore ARCHITECTURE.md CMakeLists.txt CMakePresets.json LICENSE Makefile README.md animcache build cmake docs include lib meshsplit out passes samples tests '
+allowed=' .ci .clang-format .editorconfig .git .gitignore ARCHITECTURE.md CHANGELOG.md CMakeLists.txt CMakePresets.json CONTRIBUTING.md LICENSE Makefile README.md SECURITY.md animcache build cmake docs include lib meshsplit out passes samples tests '
 found=''
 for entry in $(ls -A); do
     case "$allowed" in *" $entry "*) ;; *) found="$found $entry" ;; esac
