@@ -1,8 +1,8 @@
-# The one place that decides which optional parts are built. A part whose packages are not found is left out by a line of
-# the configuration that names them; CLAQUE_HAS_<PART> says so to the folders.
+# The one place that decides which optional parts are built. A part whose packages are not found is left out, by a line
+# that names them. CLAQUE_HAS_<PART> tells the folders.
 
-# claque_part(PART PACKAGES WITHOUT FOUND...): builds PART if all variables FOUND are true. WITHOUT: what is missing else.
-# -DCLAQUE_WITH_<PART>=OFF leaves it out.
+# claque_part(PART PACKAGES WITHOUT FOUND...): builds PART if all variables FOUND are true, and else says WITHOUT, the
+# loss. -DCLAQUE_WITH_<PART>=OFF leaves it out.
 function(claque_part part packages without)
     option(CLAQUE_WITH_${part} "Build what needs ${packages}, where it is found" ON)
     set(has ${CLAQUE_WITH_${part}})

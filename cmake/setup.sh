@@ -1,7 +1,7 @@
 #!/bin/sh
-# setup.sh [GROUP]: installs the Debian packages that are missing. Groups: run (the pictures of `make run`), command (the
-# claque command with all of its parts), all (default: tests, benchmarks and hosts too), fuzz and coverage (all, and
-# what these need).
+# setup.sh [GROUP]: installs the Debian packages that are missing. Groups: run (the pictures of `make run`), command
+# (the claque command with all of its parts), all (default: tests, benchmarks and hosts too), fuzz and coverage (all,
+# and what these need).
 #
 # Each line of `packages` has a group, a package (alternatives with |, the best first) and, for packages that claque can
 # do without, what is left out. A suite that has none of the alternatives is told about in one line. Without root the

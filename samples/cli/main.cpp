@@ -18,7 +18,6 @@ int main(int argc, char **argv)
                        {
                            add_render, add_sheet,  add_inspect, add_dump,    add_split,  add_variety, add_colours,
                            add_lods,   add_blend,  add_prepare, add_convert, add_bench,  add_plot,    add_cost,
-                           add_parity, add_tracks, add_play,    add_frames,  add_labels, add_view,
-                           add_stage,
+                           add_parity, add_tracks, add_play,    add_frames,  add_labels, add_view,    add_stage,
                        });
 }

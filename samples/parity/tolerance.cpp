@@ -80,7 +80,8 @@ Tolerance tolerance_from(const std::string &tolerance, const std::string &path)
         throw Unreadable(path + ", line " + std::to_string(line) + ": a key has more than " +
                          std::to_string(io::max_key_parts) + " parts");
     if (const uint32_t line = io::line_of_stray_letter(tolerance))
-        throw Unreadable(path + ", line " + std::to_string(line) + ": a letter outside of strings and comments is not ASCII");
+        throw Unreadable(path + ", line " + std::to_string(line) +
+                         ": a letter outside of strings and comments is not ASCII");
     const toml::parse_result parsed = toml::parse(tolerance, path);
     if (!parsed)
         throw Unreadable(path + ", line " + std::to_string(parsed.error().source().begin.line) + ": " +

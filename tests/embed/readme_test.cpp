@@ -25,8 +25,8 @@ std::string environment(const Scratch &home)
            "export CLAQUE_REUSE_BUILD='" + build + "' CLAQUE_REUSE_SOURCE='" + source + "'\n" +
            "export CMAKE_C_COMPILER_LAUNCHER='" + here + "reuse.sh' CMAKE_CXX_COMPILER_LAUNCHER='" + here +
            "reuse.sh'\n" + "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\n" +
-           "make() { command make --no-print-directory -C '" + source + "' -o installed BUILD='" + build + "' \"$@\"; }\n" +
-           "cc() { command cc $CFLAGS \"$@\"; }\n" + "apt-get() { :; }\n";
+           "make() { command make --no-print-directory -C '" + source + "' -o installed BUILD='" + build +
+           "' \"$@\"; }\n" + "cc() { command cc $CFLAGS \"$@\"; }\n" + "apt-get() { :; }\n";
 }
 
 class Readme : public testing::Test

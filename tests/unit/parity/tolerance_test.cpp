@@ -68,8 +68,7 @@ TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
     std::string deep = "# a key of many parts\n[a";
     for (int i = 0; i < 300000; ++i) deep += ".a";
     EXPECT_EQ(refusal(deep + "]\n"), "t.toml, line 2: a key has more than 16 parts");
-    EXPECT_EQ(refusal("\u00DF = 1\n"),
-              "t.toml, line 1: a letter outside of strings and comments is not ASCII");
+    EXPECT_EQ(refusal("\u00DF = 1\n"), "t.toml, line 1: a letter outside of strings and comments is not ASCII");
     EXPECT_EQ(refusal("[at_most\n").substr(0, 14), "t.toml, line 1");
     EXPECT_THROW(tolerance_of("/nowhere/at.toml"), Unreadable);
     EXPECT_THROW(tolerance_of("/"), Unreadable);
