@@ -5,11 +5,12 @@ manager and is also closed when it is garbage-collected, children before parents
 with the library's message and status. The documentation and units of include/claque hold here too.
 """
 
-from .abi import Error, Status, library_paths
 from .context import Context
 from .crowd import Actor, Crowd, View
+from .errors import Error, Status
 from .labels import Sample, labels
 from .offscreen import Offscreen
+from .places import library_paths
 from .records import Record
 from .renderer import Renderer
 from .samples import VariedSample, samples

@@ -1,43 +1,17 @@
-"""The C ABI: the paths of the libraries, their structs in the order of the headers, and calls that raise Error.
+"""The C ABI: structs in the order of the headers, and calls that raise Error.
 
 tests/python/test_layout.py compares every struct here with the compiler's layout of the headers.
 """
 
 import ctypes
-import ctypes.util
-import enum
-import os
-import pathlib
 from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_int, c_int8, c_int16, c_size_t, c_uint8,
                     c_uint16, c_uint32, c_uint64, c_void_p)
 
+from .errors import Error, Status
+from .places import library_paths
+
 NONE = 0xFFFFFFFF
 RANDOM = 0xFFFFFFFF
-
-
-class Status(enum.IntEnum):
-    OK = 0
-    ARGUMENT = 1
-    STRUCT_SIZE = 2
-    STALE_ID = 3
-    OUT_OF_MEMORY = 4
-    LIMIT = 5
-    FORMAT = 6
-    UNSUPPORTED = 7
-    KEY_RESOLUTION = 8
-    GL_MISSING = 9
-    GL_STATE = 10
-    BUSY = 11
-    IN_USE = 12
-    IO = 13
-
-
-class Error(Exception):
-    """A call of the library failed, or a library was not found. `status` is None in the second case."""
-
-    def __init__(self, text, status=None):
-        super().__init__(text)
-        self.status = status
 
 
 class Sized(Structure):
@@ -217,31 +191,18 @@ STRUCTS = {
 }
 
 
-def _folders():
-    named = os.environ.get("CLAQUE_LIBRARY_DIR")
-    return [pathlib.Path(folder) for folder in named.split(os.pathsep)] if named else []
-
-
-def library_paths():
-    """Paths of libclaque, libclaque-assets and libclaque-stage: in the folders of CLAQUE_LIBRARY_DIR, then by the
-    system's search."""
-    found = []
-    for stem in ("claque", "claque-assets", "claque-stage"):
-        here = [folder / f"lib{stem}.so" for folder in _folders() if (folder / f"lib{stem}.so").exists()]
-        name = str(here[0]) if here else ctypes.util.find_library(stem)
-        if not name:
-            raise Error(f"lib{stem} is not there: install it, or say where it is in CLAQUE_LIBRARY_DIR")
-        found.append(name)
-    return found
+def _loaded(path):
+    try:
+        return ctypes.CDLL(path, mode=ctypes.RTLD_GLOBAL)
+    except OSError as error:
+        raise Error(f"{path} cannot be loaded: {error}") from None
 
 
 class _Library:
     """Calls functions by name. Functions that return a status raise Error unless it is OK."""
 
     def __init__(self):
-        paths = library_paths()
-        self._core = ctypes.CDLL(paths[0], mode=ctypes.RTLD_GLOBAL)
-        self._others = [ctypes.CDLL(path) for path in paths[1:]]
+        self._core, *self._others = map(_loaded, library_paths())
         self._core.clq_last_error.restype = c_char_p
         self._known = {}
 

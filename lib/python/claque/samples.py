@@ -3,7 +3,6 @@
 import json
 import os
 import pathlib
-import shutil
 import subprocess
 import tempfile
 import time
@@ -12,6 +11,7 @@ import numpy
 
 from . import abi
 from .labels import Sample
+from .places import command_path
 
 _ARRAYS = {"actors": "actor", "zones": "zone", "parts": "part", "depth_m": "depth_m", "normals": "normal",
            "positions": "position", "forward": "flow_forward", "backward": "flow_backward"}
@@ -40,7 +40,7 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     rules      the path of a file of rules
     scene      the name of a scene; or scenario: the path of a scenario
     options    more of the command's, as ("--fps", "10")
-    command    the command claque; None: CLAQUE_COMMAND, or the one on PATH
+    command    the command claque; None: CLAQUE_COMMAND, the one installed with the module, or on PATH
 
     The command works ahead in a folder for temporary files, which is gone when the loop ends. Until then it holds the
     samples that the loop has not reached yet; TMPDIR says where it is. Raises claque.Error with the command's sentence
@@ -48,9 +48,7 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     numbers = [int(number) for number in numbers]
     if not numbers:
         return
-    program = command or os.environ.get("CLAQUE_COMMAND") or shutil.which("claque")
-    if not program:
-        raise abi.Error("the command claque is not there: install it, or say where it is in CLAQUE_COMMAND")
+    program = command or command_path()
     subject = ["--scenario", str(scenario)] if scenario else ["--scene", scene or "plaza"]
     with tempfile.TemporaryDirectory(prefix="claque-") as folder:
         arguments = [str(program), "labels", *subject, "--vary", str(rules), "--seed", str(seed),
