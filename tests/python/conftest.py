@@ -8,6 +8,14 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "lib" / "python"))
 
 import claque  # noqa: E402
+from drawing import KINDS  # noqa: E402
+
+
+@pytest.fixture(params=KINDS)
+def gl(request, monkeypatch):
+    """The kind of context that the test draws with."""
+    monkeypatch.setenv("CLAQUE_CONTEXT", request.param)
+    return request.param
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ import os
 
 import pytest
 
-from drawing import absent_gl
+import drawing
 
 COMMAND = os.environ.get("CLAQUE_COMMAND")
-MISSING = absent_gl() or ("" if COMMAND else "CLAQUE_COMMAND is not set")
+MISSING = drawing.MISSING or ("" if COMMAND else "CLAQUE_COMMAND is not set")
 needs_command = pytest.mark.skipif(bool(MISSING), reason=MISSING)

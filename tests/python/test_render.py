@@ -1,4 +1,4 @@
-"""Pictures from Python, where this machine has OSMesa; and the two example scripts, as a reader would run them."""
+"""Pictures from Python, by each kind of context that is there; and the example scripts, as a reader would run them."""
 
 import os
 import pathlib

@@ -66,7 +66,6 @@ def _numbers(view, renderer, target, scenery):
         target.gl("glColorMask", 1, 1, 1, 1)
         definition = abi_labels.VisibilityDef(first_number=1, upper_bits=shift > 0)
         abi.call("clq_renderer_draw_visibility", renderer.handle, view.handle, byref(definition), None)
-        target.gl("glFinish")
         rgb = target.pixels[:, :, :3].astype(numpy.uint32)
         out |= (rgb[:, :, 0] | rgb[:, :, 1] << 8 | rgb[:, :, 2] << 16) << shift
     return out
