@@ -19,6 +19,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_C_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+# What is built in another folder has the same bytes.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
 add_library(claque_flags INTERFACE)
 target_compile_options(claque_flags INTERFACE
@@ -184,7 +186,7 @@ function(claque_libraries name)
     endforeach()
     target_compile_definitions(${name}_static INTERFACE CLAQUE_STATIC=1)
     set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}
-        LINK_DEPENDS ${PROJECT_SOURCE_DIR}/lib/api/exports.map)
+        INSTALL_RPATH $ORIGIN LINK_DEPENDS ${PROJECT_SOURCE_DIR}/lib/api/exports.map)
     if(NOT WIN32)  # where CLQ_API says it all
         target_link_options(${name} PRIVATE -Wl,--version-script=${PROJECT_SOURCE_DIR}/lib/api/exports.map)
     endif()

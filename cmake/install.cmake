@@ -1,8 +1,13 @@
-# `make install`: headers, libraries, the claque command with its manual, pkg-config and CMake packages; and what goes
-# into which Debian package (cmake/package.cmake): components runtime, assets, stage, dev, command.
+# `make install`: headers, libraries, the claque command with its manual, the Python module, pkg-config and CMake
+# packages; and what goes into which Debian package (cmake/package.cmake): components runtime, assets, stage, dev,
+# command. The module is in none of them.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY include/claque TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN "*.h")
+if(CLAQUE_STAGE)  # which the module needs; under /usr it lies where Debian's python3 looks
+    install(DIRECTORY lib/python/claque DESTINATION lib/python3/dist-packages COMPONENT python
+        FILES_MATCHING PATTERN "*.py" PATTERN __pycache__ EXCLUDE)
+endif()
 
 set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/claque)
 install(EXPORT claque DESTINATION ${folder} NAMESPACE claque:: FILE claque-targets.cmake COMPONENT dev)

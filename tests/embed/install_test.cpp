@@ -1,5 +1,6 @@
 // What `make install` puts where: every public header, both libraries by soname and statically, packages that other
 // build systems find, the command and its manual; and C99 hosts of all four libraries against it, beside DESTDIR.
+#include <cstdlib>
 #include <filesystem>
 
 #include <gtest/gtest.h>
@@ -16,6 +17,13 @@ std::string make(const std::string &arguments)
     return "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\nmake --no-print-directory -C '" CLAQUE_SOURCE_DIR
            "' -o installed BUILD='" CLAQUE_BUILD_DIR "' " +
            arguments + "\n";
+}
+
+std::string python_with_numpy()
+{
+    for (const std::string python : {"/usr/bin/python3", "python3"})
+        if (std::system((python + " -c 'import numpy' 2> /dev/null").c_str()) == 0) return python;
+    return "";
 }
 
 class Install : public testing::Test
@@ -62,8 +70,30 @@ TEST_F(Install, BringsEveryHeaderAndEachLibrary)
     EXPECT_NE(entry.find("\nIcon=claque\n"), std::string::npos) << entry;
     EXPECT_EQ(text_of_file(prefix() + "/share/icons/hicolor/256x256/apps/claque.png").substr(1, 3), "PNG");
 #endif
-    EXPECT_EQ(printed("LD_LIBRARY_PATH='" + prefix() + "/lib' '" + prefix() + "/bin/claque' --version"),
-              "claque " CLAQUE_VERSION "\n");
+    EXPECT_EQ(printed("'" + prefix() + "/bin/claque' --version"), "claque " CLAQUE_VERSION "\n");
+}
+
+TEST_F(Install, RunsWhereItIsMovedTo)
+{
+    printed("mkdir other && mv prefix other/place");
+    const std::string alone = "unset LD_LIBRARY_PATH CLAQUE_LIBRARY_DIR CLAQUE_COMMAND\n";
+    EXPECT_EQ(printed(alone + "other/place/bin/claque --version"), "claque " CLAQUE_VERSION "\n");
+    if (*CLAQUE_CXX_FLAGS) GTEST_SKIP() << "an interpreter without sanitizers cannot load libraries with them";
+    const std::string python = python_with_numpy();
+    if (python.empty()) GTEST_SKIP() << "no python3 has numpy (Debian: python3-numpy)";
+    home_.write("crowd.py",
+                "import claque\n"
+                "from claque.places import command_path\n"
+                "with claque.Context() as context, claque.Crowd(context) as crowd:\n"
+                "    crowd.add(claque.Template.builtin(context, 'citizen'), clip='walk')\n"
+                "    view = crowd.view()\n"
+                "    view.look_at((0, 1, 5), (0, 1, 0))\n"
+                "    crowd.update(0.5)\n"
+                "    print(len(view), *claque.library_paths(), command_path())\n");
+    const std::string place = " " + home_.path() + "/other/place/", of = ".so." CLAQUE_SOVERSION;
+    EXPECT_EQ(printed(alone + "PYTHONPATH=other/place/lib/python3/dist-packages " + python + " -B crowd.py"),
+              "1" + place + "lib/libclaque" + of + place + "lib/libclaque-assets" + of + place + "lib/libclaque-stage" +
+                  of + place + "bin/claque\n");
 }
 
 TEST_F(Install, LeavesNoPathOfTheBuildBehind)
@@ -72,7 +102,9 @@ TEST_F(Install, LeavesNoPathOfTheBuildBehind)
     EXPECT_EQ(printed("grep -r -e '" CLAQUE_BUILD_DIR "' prefix/lib/pkgconfig prefix/lib/cmake prefix/share | "
                       "grep -v \"$PWD\" || true"),
               "");
-    EXPECT_EQ(printed("readelf -d prefix/bin/claque prefix/lib/*.so | grep -E 'R(UN)?PATH' || true"), "");
+    EXPECT_EQ(printed("readelf -d prefix/bin/claque prefix/lib/*.so $(find prefix/lib/claque -type f) | "
+                      "sed -nE 's/.*R(UN)?PATH.*\\[(.*)\\]/\\2/p'"),
+              "$ORIGIN/../lib\n$ORIGIN\n$ORIGIN\n$ORIGIN\n");
 }
 
 TEST_F(Install, GoesBelowDestdirAndIsFoundWhereItWillBe)
