@@ -1,6 +1,10 @@
-"""Samples that rules vary: each is that of its number, whichever others are asked for."""
+"""Labelled pictures of a scene: each is that of its number, whichever others are asked for."""
 
 import os
+import pathlib
+import re
+import subprocess
+import sys
 
 import numpy
 import pytest
@@ -40,6 +44,24 @@ def test_samples_have_arrays_people_and_choices(rules):
     assert 4 <= sample.choice["people"]["count"] <= 20
     chosen = [person for person in sample.people if person["id"] == sample.choice["camera"]["person"]]
     assert chosen[0]["head"]["seen"] == "visible"
+
+
+def test_three_lines_of_the_docs_make_arrays():
+    page = (pathlib.Path(__file__).resolve().parents[2] / "docs/python.md").read_text()
+    lines = re.search(r"```python\n(import claque\n.*?)```", page, re.DOTALL).group(1)
+    assert len(lines.splitlines()) == 3
+    environment = dict(os.environ, PYTHONPATH=str(pathlib.Path(claque.__file__).parents[1]))
+    said = subprocess.run([sys.executable, "-B", "-c", lines], env=environment, check=True, capture_output=True,
+                          text=True)
+    assert re.fullmatch(r"\(480, 640, 3\) \d+ [\d.]+ float32\n", said.stdout), said.stdout
+
+
+def test_a_scene_needs_no_rules():
+    still, later = claque.samples(numbers=[0, 5], size=(96, 72), options=("--count", 30, "--fps", 10))
+    assert (still.time_s, later.time_s) == (0, 0.5) and still.choice is None
+    seen = set(numpy.unique(still.actors[still.actors > 0]).tolist())
+    assert len(seen) > 10 and {person["id"] for person in still.people} >= seen
+    assert not numpy.isnan(still.depth_m[still.actors > 0]).any() and (still.picture != later.picture).any()
 
 
 def test_a_sample_is_the_same_alone_and_in_any_order(rules):

@@ -1,4 +1,4 @@
-"""Samples that rules vary (docs/labels.md), made by the command claque and read as NumPy arrays."""
+"""Labelled pictures of a scene (docs/labels.md), made by the command claque and read as NumPy arrays."""
 
 import json
 import os
@@ -20,12 +20,12 @@ _ARRAYS = {"actors": "actor", "zones": "zone", "parts": "part", "depth_m": "dept
 class VariedSample(Sample):
     """A Sample with what was chosen for it. Individuals, triangles and barycentric weights are left out.
 
-    number; choice: the dict of all that was chosen; people: a list of dicts with box, mask, joints and head of each;
-    camera: the dict of its intrinsics and pose."""
+    number; choice: the dict of all that was chosen, None without rules; people: a list of dicts with box, mask, joints
+    and head of each; camera: the dict of its intrinsics and pose."""
 
     def __init__(self, number, about, arrays):
         super().__init__(about["time_s"], arrays["rgb"])
-        self.number, self.choice = number, about["choice"]
+        self.number, self.choice = number, about.get("choice")
         self.people, self.camera = about["people"], about["camera"]
         for name, stored in _ARRAYS.items():
             array = arrays[stored]
@@ -34,10 +34,10 @@ class VariedSample(Sample):
             setattr(self, name, array)
 
 
-def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), options=(), command=None):
+def samples(rules=None, numbers=(0,), scene=None, scenario=None, seed=1, size=(640, 480), options=(), command=None):
     """Yields a VariedSample for each number, in their order; sample k is the same whichever others are asked for.
 
-    rules      the path of a file of rules
+    rules      the path of a file of rules; None: sample k is the scene as it is after k / 25 s
     scene      the name of a scene; or scenario: the path of a scenario
     options    more of the command's, as ("--fps", "10")
     command    the command claque; None: CLAQUE_COMMAND, the one installed with the module, or on PATH
@@ -49,9 +49,10 @@ def samples(rules, numbers, scene=None, scenario=None, seed=1, size=(640, 480), 
     if not numbers:
         return
     program = command or command_path()
+    varied = ["--vary", str(rules)] if rules else []
     subject = ["--scenario", str(scenario)] if scenario else ["--scene", scene or "plaza"]
     with tempfile.TemporaryDirectory(prefix="claque-") as folder:
-        arguments = [str(program), "labels", *subject, "--vary", str(rules), "--seed", str(seed),
+        arguments = [str(program), "labels", *subject, *varied, "--seed", str(seed),
                      "--size", f"{size[0]}x{size[1]}", "--write", "npz", "--out", folder,
                      "--frames", _ranges(numbers), *map(str, options)]
         with open(os.path.join(folder, "errors"), "w+", encoding="utf-8") as errors:
