@@ -28,6 +28,8 @@ target_compile_options(claque_flags INTERFACE
     # From -O2 on GCC 12 leaves doubles that become floats and then doubles unrounded, where it packs two or more of
     # them into a vector (tests/unit/math/rounding_test.cpp).
     $<$<CXX_COMPILER_ID:GNU>:-fno-tree-slp-vectorize>
+    # GCC takes what a view returns for a part of the view.
+    $<$<AND:$<COMPILE_LANG_AND_ID:CXX,GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-dangling-reference>
     # A unity build sees the file-level names of neighbours, and includes the files with fixtures of tests.
     $<$<NOT:$<BOOL:${CMAKE_UNITY_BUILD}>>:-Wshadow>
     $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<COMPILE_LANG_AND_ID:CXX,GNU>>:-Wno-subobject-linkage>
@@ -138,6 +140,7 @@ function(claque_test name)
         target_link_libraries(${name} PRIVATE claque_not_optimised)
         target_precompile_headers(${name} REUSE_FROM claque_test_headers)
     endif()
+    target_compile_options(${name} PRIVATE -Wno-dangling-else)  # the macros of GoogleTest have one
     target_compile_definitions(${name} PRIVATE
         CLAQUE_SOURCE_DIR="${PROJECT_SOURCE_DIR}" CLAQUE_ASSETS_DIR="${PROJECT_SOURCE_DIR}/../shared/assets")
     set(properties TIMEOUT ${ARG_TIMEOUT} ${ARG_PROPERTIES}
