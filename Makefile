@@ -6,7 +6,7 @@ CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
-    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-hosts docs \
+    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-few test-hosts docs \
     test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest nightly release \
     coverage check format clean
 
@@ -29,6 +29,7 @@ help:
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
 	@echo "make test-bare  each command of the README on bare Debian systems (SUITES='bookworm trixie forky'; needs root)"
+	@echo "make test-few   the command without its optional parts, each of which names the package that it lacks"
 	@echo "make test-hosts claque in sumo-gui, osgviewer, Coin and VTK on a screen of its own; what is missing is named"
 	@echo "make docs       the reference of the headers into out/reference (needs doxygen)"
 	@echo "make test-i386  libclaque on 32-bit x86 (also test-arm64 and test-nehalem under QEMU, test-mingw under Wine)"
@@ -194,6 +195,10 @@ test-package: package
 SUITES ?= bookworm trixie forky
 test-bare:
 	@tests/bare/run.py $(SUITES)
+
+# The command without its optional parts: each names the package that it lacks.
+test-few: setup
+	@tests/bare/few_parts.sh $(JOBS)
 
 # Programs and scenegraphs that claque knows nothing of; each is skipped by name where it is not installed.
 test-hosts: build
