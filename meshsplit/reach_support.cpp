@@ -18,7 +18,7 @@ namespace
 // result.
 glm::dvec3 rotated_back(const glm::dvec3 &u, const glm::dvec3 &axis, double angle)
 {
-    const double c = std::cos(angle), s = std::sin(angle);
+    const double c = math::cos(angle), s = math::sin(angle);
     return u * c - glm::cross(axis, u) * s + axis * (glm::dot(axis, u) * (1 - c));
 }
 
@@ -80,7 +80,7 @@ void DofSweep::plan_turns(const Directions &directions, const model::Dof &dof)
     turned_.reserve(directions.count() * angles_), between_.reserve(directions.count());
     // A nearly unit axis gives a nearly unit quaternion: its matrix is off by this fraction.
     const double slack = 2.5 * std::fabs(glm::dot(glm::dvec3(dof.axis), glm::dvec3(dof.axis)) - 1);
-    const double bulge = slack + (steps > 0 ? 1 - std::cos(0.5 * range / steps) : 0);
+    const double bulge = slack + (steps > 0 ? 1 - math::cos(0.5 * range / steps) : 0);
     for (size_t i = 0; i < directions.count(); ++i) {
         const double along = glm::dot(directions[i], axis);
         between_.push_back(bulge * std::sqrt(std::max(0.0, 1 - along * along)));

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/math/trig.h"
+
 namespace claque::meshsplit
 {
 
@@ -37,7 +39,7 @@ std::vector<math::Affine> rest_locals(const model::Rig &rig)
             local.translation += local.rotation * (dof.axis * dof.rest);
         } else {
             const float half = 0.5f * dof.rest;
-            local.rotation = local.rotation * glm::quat(std::cos(half), std::sin(half) * dof.axis);
+            local.rotation = local.rotation * glm::quat(math::cos(half), math::sin(half) * dof.axis);
         }
     }
     std::vector<math::Affine> out;

@@ -132,7 +132,7 @@ private:
                 const glm::vec3 local = math::transform_point(below_, glm::vec3(at.x, frame.position.y, at.z));
                 for (int k = 0; k < 3; ++k) fresh.values.push_back(local[k]);
             } else {
-                const glm::dquat turn(std::cos(0.5 * back.yaw), 0, std::sin(0.5 * back.yaw), 0);
+                const glm::dquat turn(math::cos(0.5 * back.yaw), 0, math::sin(0.5 * back.yaw), 0);
                 const glm::quat local(glm::normalize(glm::conjugate(turned_) * turn * frame.rotation));
                 for (const float x : {local.x, local.y, local.z, local.w}) fresh.values.push_back(x);
             }

@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "lib/math/trig.h"
+
 namespace claque::passes
 {
 namespace
@@ -67,7 +69,7 @@ std::vector<CloseSample> close_samples(const model::Level &level)
     std::vector<CloseSample> samples;
     for (int side = 0; side < sides; ++side) {
         const double angle = 2 * 3.14159265358979323846 * side / sides;
-        const glm::dvec3 right(std::cos(angle), 0, std::sin(angle));
+        const glm::dvec3 right(math::cos(angle), 0, math::sin(angle));
         double all = 0, passed = 0;
         for_facing(level, right, [&](const Shown &triangle, uint32_t) { all += triangle.area; });
         for_facing(level, right, [&](const Shown &triangle, uint32_t texture) {

@@ -5,7 +5,7 @@
  * others by DetourCrowd, in ticks of fixed length. What they did is published as pieces of tracks (claque/track.h),
  * with gait and steps, that never change afterwards; any crowd shows them, and any file keeps them.
  *
- * The result is a function of the calls: equal calls give equal bits on one machine, whatever the threads.
+ * The result is a function of the calls: equal calls give equal bits, whatever the threads.
  *
  * Positions are in world units, y up; what is called _m is in metres. GL: none.
  * Memory comes from the C and C++ heap, not from a context's allocator: Recast and Detour have one allocator for the

@@ -25,7 +25,9 @@ scene::Ray ray_of(const clq_ray *ray)
             base::fail(CLQ_ARGUMENT, "coordinate %d of a ray's origin or direction is not finite", k);
         out.origin[k] = ray->origin[k];
     }
-    const double length = std::hypot(ray->direction[0], ray->direction[1], ray->direction[2]);
+    const glm::dvec3 along(ray->direction[0], ray->direction[1], ray->direction[2]);
+    const double most = std::fmax(std::fmax(std::fabs(along.x), std::fabs(along.y)), std::fabs(along.z));
+    const double length = most > 0 ? most * glm::length(along / most) : 0;
     if (!(length > 0) || !std::isfinite(length)) base::fail(CLQ_ARGUMENT, "a ray's direction has length %g", length);
     for (int k = 0; k < 3; ++k) out.direction[k] = ray->direction[k] / length;
     if (!(ray->max_distance >= 0))

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "lib/asset/bvh_hierarchy.h"
+#include "lib/math/trig.h"
 
 namespace claque::asset
 {
@@ -25,7 +26,7 @@ struct Quat {
 Quat times_turn(const Quat &q, int axis, double angle_deg)
 {
     // Whole turns change nothing, and sines of large angles lose precision.
-    const double half = std::fmod(angle_deg, 720.0) * degrees / 2, c = std::cos(half), s = std::sin(half);
+    const double half = std::fmod(angle_deg, 720.0) * degrees / 2, c = math::cos(half), s = math::sin(half);
     if (axis == 0) return {q.w * c - q.x * s, q.x * c + q.w * s, q.y * c + q.z * s, q.z * c - q.y * s};
     if (axis == 1) return {q.w * c - q.y * s, q.x * c - q.z * s, q.y * c + q.w * s, q.z * c + q.x * s};
     return {q.w * c - q.z * s, q.x * c + q.y * s, q.y * c - q.x * s, q.z * c + q.w * s};

@@ -8,6 +8,7 @@
 #include "lib/asset/material_zones.h"
 #include "lib/asset/srgb.h"
 #include "lib/asset/zone_extras.h"
+#include "lib/math/trig.h"
 
 namespace claque::asset
 {
@@ -40,7 +41,7 @@ UvTransform transform_of(const JsonView &view)
     float offset[2] = {0, 0}, scale[2] = {1, 1};
     if (view["offset"].exists()) view["offset"].numbers(offset, 2);
     if (view["scale"].exists()) view["scale"].numbers(scale, 2);
-    const float angle = view["rotation"].real_or(0), c = std::cos(angle), s = std::sin(angle);
+    const float angle = view["rotation"].real_or(0), c = math::cos(angle), s = math::sin(angle);
     // v points down, so a counter-clockwise rotation on the screen has these signs.
     const float m[6] = {scale[0] * c, -scale[0] * s, scale[1] * s, scale[1] * c, offset[0], offset[1]};
     for (int k = 0; k < 6; ++k) out.m[k] = m[k];

@@ -1,8 +1,9 @@
 // The sRGB transfer curve (IEC 61966-2-1): colours are linear in glTF, but not in glColor.
 #pragma once
 
-#include <cmath>
 #include <cstdint>
+
+#include "lib/math/trig.h"
 
 namespace claque::asset
 {
@@ -11,7 +12,7 @@ namespace claque::asset
 inline float encoded(float linear)
 {
     const double x = linear < 0 ? 0 : linear > 1 ? 1 : static_cast<double>(linear);
-    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055);
+    return static_cast<float>(x <= 0.0031308 ? 12.92 * x : 1.055 * math::pow(x, 1 / 2.4) - 0.055);
 }
 
 inline uint8_t byte_of(float unit)

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "lib/behave/path.h"
+#include "lib/math/trig.h"
 
 namespace claque::behave
 {
@@ -95,7 +96,7 @@ glm::quat heading(const glm::dvec3 &along, double roll)
     if (!(length > 0)) return glm::quat(1, 0, 0, 0);
     const Half yaw = level > 0 ? half(along.x / level, along.z / level) : Half();
     const Half pitch = half(along.y / length, level / length);
-    const double rs = -std::sin(roll / 2), rc = std::cos(roll / 2), ps = -pitch.sin, pc = pitch.cos;
+    const double rs = -math::sin(roll / 2), rc = math::cos(roll / 2), ps = -pitch.sin, pc = pitch.cos;
     const double ys = yaw.sin, yc = yaw.cos;
     return glm::quat(static_cast<float>(yc * pc * rc + ys * ps * rs), static_cast<float>(yc * ps * rc + ys * pc * rs),
                      static_cast<float>(ys * pc * rc - yc * ps * rs), static_cast<float>(yc * pc * rs - ys * ps * rc));

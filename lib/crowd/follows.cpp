@@ -1,12 +1,11 @@
 #include "lib/crowd/follows.h"
 
-#include <cmath>
-
 #include "lib/base/error.h"
 #include "lib/base/hash.h"
 #include "lib/crowd/edits.h"
 #include "lib/crowd/layer_rules.h"
 #include "lib/crowd/rows.h"
+#include "lib/math/trig.h"
 
 namespace claque::crowd
 {
@@ -76,7 +75,7 @@ Transform placed_on_track(const track::Motion &motion, float scale) noexcept
     Transform out;
     out.position = motion.position;
     const float half = static_cast<float>(motion.heading_rad * 0.5);
-    out.orientation = glm::quat(std::cos(half), 0, std::sin(half), 0);
+    out.orientation = glm::quat(math::cos(half), 0, math::sin(half), 0);
     out.scale = scale;
     return out;
 }

@@ -6,6 +6,8 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "lib/math/trig.h"
+
 namespace claque::figures
 {
 
@@ -24,7 +26,7 @@ std::array<glm::vec3, ray_count> make_rays()
         const float u = (static_cast<float>(i) + 0.5f) / ray_count;
         const float angle = 2.39996323f * static_cast<float>(i);
         const float r = std::sqrt(u);
-        rays[static_cast<size_t>(i)] = glm::vec3(r * std::cos(angle), r * std::sin(angle), std::sqrt(1 - u));
+        rays[static_cast<size_t>(i)] = glm::vec3(r * math::cos(angle), r * math::sin(angle), std::sqrt(1 - u));
     }
     return rays;
 }

@@ -1,9 +1,9 @@
 // Arms and legs: rings round the bones with a girth of their own in four directions, so that calf, knee and forearm
 // have their profiles.
-#include <cmath>
 
 #include "lib/figures/parts.h"
 #include "lib/figures/skeleton.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -14,7 +14,7 @@ std::vector<uint32_t> add_ring(Mesh &mesh, Region region, Side side, int count, 
     std::vector<uint32_t> ring;
     for (int k = 0; k < count; ++k) {
         const float angle = 6.28318531f * static_cast<float>(k) / static_cast<float>(count);
-        const float x = -std::sin(angle), z = -std::cos(angle);
+        const float x = -math::sin(angle), z = -math::cos(angle);
         const glm::vec3 p = centre + ex * (x * (x > 0 ? girth.along_x : girth.against_x)) +
                             ez * (z * (z > 0 ? girth.front : girth.back));
         ring.push_back(mesh.add(mirrored(p, side), region, side));

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/math/trig.h"
 
 namespace claque::model
 {
@@ -57,7 +58,7 @@ std::vector<uint8_t> geometric_keys(uint32_t count)
     std::vector<uint8_t> keys;
     int previous = first - 1;
     for (int i = 0; i < n; ++i) {
-        const double wanted = first < 1 ? i : first * std::pow(255.0 / first, double(i) / (n - 1));
+        const double wanted = first < 1 ? i : first * math::pow(255.0 / first, double(i) / (n - 1));
         const int key = std::clamp(static_cast<int>(std::floor(wanted + 0.5)), previous + 1, 255 - (n - 1 - i));
         keys.push_back(static_cast<uint8_t>(key));
         previous = key;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/math/trig.h"
+
 namespace claque::model
 {
 
@@ -29,27 +31,27 @@ GroundTransform within(const Rig &rig, const RootCurve &curve, double share)
 
 GroundTransform compose(const GroundTransform &outer, const GroundTransform &inner)
 {
-    const double c = std::cos(outer.yaw), s = std::sin(outer.yaw);
+    const double c = math::cos(outer.yaw), s = math::sin(outer.yaw);
     return {outer.x + c * inner.x + s * inner.z, outer.z - s * inner.x + c * inner.z, outer.yaw + inner.yaw};
 }
 
 GroundTransform inverse(const GroundTransform &step)
 {
-    const double c = std::cos(step.yaw), s = std::sin(step.yaw);
+    const double c = math::cos(step.yaw), s = math::sin(step.yaw);
     return {-(c * step.x - s * step.z), -(s * step.x + c * step.z), -step.yaw};
 }
 
 // The translations of the repeated steps form a geometric series of rotations.
 GroundTransform repeated(const GroundTransform &step, double times)
 {
-    const double half = 0.5 * step.yaw, s = std::sin(half);
+    const double half = 0.5 * step.yaw, s = math::sin(half);
     GroundTransform out;
     out.yaw = times * step.yaw;
     if (std::fabs(s) < 1e-9) {
         out.x = times * step.x, out.z = times * step.z;
         return out;
     }
-    const double length = std::sin(times * half) / s, turn = (times - 1) * half;
+    const double length = math::sin(times * half) / s, turn = (times - 1) * half;
     const GroundTransform turned = compose({0, 0, turn}, {length * step.x, length * step.z, 0});
     out.x = turned.x, out.z = turned.z;
     return out;

@@ -1,8 +1,7 @@
 // Applies degrees of freedom to the nodes' local transforms (S0 3). A value of zero changes no bit.
 #pragma once
 
-#include <cmath>
-
+#include "lib/math/trig.h"
 #include "lib/model/rig.h"
 
 namespace claque::pose
@@ -22,8 +21,8 @@ void apply_dofs(const model::Rig &rig, const float *dofs, float *weights, Pose &
         } else if (dof.kind == model::DofKind::translation) {
             pose.shift(dof.node, dof.axis * value);
         } else {
-            const float half = value * 0.5f, s = std::sin(half);
-            pose.turn(dof.node, glm::quat(std::cos(half), dof.axis.x * s, dof.axis.y * s, dof.axis.z * s));
+            const float half = value * 0.5f, s = math::sin(half);
+            pose.turn(dof.node, glm::quat(math::cos(half), dof.axis.x * s, dof.axis.y * s, dof.axis.z * s));
         }
     }
 }

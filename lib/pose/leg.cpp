@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/math/trig.h"
+
 namespace claque::pose
 {
 
@@ -54,7 +56,7 @@ Turn between(const glm::vec3 &from, const glm::vec3 &to)
 Turn about_y(float angle_rad)
 {
     const float half = angle_rad * 0.5f;
-    return turn_of(std::cos(half), glm::vec3(0, std::sin(half), 0));
+    return turn_of(math::cos(half), glm::vec3(0, math::sin(half), 0));
 }
 
 glm::vec3 vec_of(const F4 &v) { return glm::vec3(v[0], v[1], v[2]); }

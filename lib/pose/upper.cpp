@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/math/trig.h"
+
 namespace claque::pose
 {
 
@@ -16,7 +18,7 @@ using math::splat;
 void turn_nodes(const model::Array<uint32_t> &nodes, float angle_rad, Columns *globals)
 {
     const F4 pivot = globals[nodes[0]].c[3];
-    const float c = std::cos(angle_rad), s = std::sin(angle_rad);
+    const float c = math::cos(angle_rad), s = math::sin(angle_rad);
     const auto turned = [&](const F4 &v) { return F4{v[0] * c + v[2] * s, v[1], v[2] * c - v[0] * s, v[3]}; };
     for (const uint32_t node : nodes) {
         Columns &columns = globals[node];

@@ -267,7 +267,7 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
     const uint32_t i = plant_at(track, foot, gone_s);
     pose::FootTarget target;
     target.leg = &track.locomotion->legs[foot];
-    const double c = std::cos(state.heading_rad), s = std::sin(state.heading_rad);
+    const double c = math::cos(state.heading_rad), s = math::sin(state.heading_rad);
     // From the world, relative to the body, to model space.
     const auto set = [&](double x, double z) {
         target.x = static_cast<float>((x * c - z * s) / track.scale);

@@ -4,6 +4,7 @@
 
 #include "lib/base/error.h"
 #include "lib/base/host_call.h"
+#include "lib/math/trig.h"
 
 namespace claque::track
 {
@@ -52,7 +53,7 @@ double Footing::height(double x, double z, double body_y) const
 void Footing::settle(Stance &stance, double body_y) const
 {
     if (!settings_.ground) return;
-    const double ahead_x = std::sin(stance.heading_rad), ahead_z = std::cos(stance.heading_rad);
+    const double ahead_x = math::sin(stance.heading_rad), ahead_z = math::cos(stance.heading_rad);
     const auto fit_at = [&](double shift_m) {
         Fit fit;
         fit.ball = height(stance.x + shift_m * ahead_x, stance.z + shift_m * ahead_z, body_y);

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "lib/math/trig.h"
 #include "lib/track/footing.h"
 #include "lib/track/piece.h"
 
@@ -52,7 +53,7 @@ Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m,
     foot.down.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
         const GaitCell cell = cell_at(locomotion, path.gait[i], path.turning[i], path.phase[i]);
-        const double c = std::cos(path.heading[i]), s = std::sin(path.heading[i]);
+        const double c = math::cos(path.heading[i]), s = math::sin(path.heading[i]);
         const double x = double(cell.x[f]) * scale_m, z = double(cell.z[f]) * scale_m;
         foot.x[i] = path.x[i] + x * c + z * s;
         foot.z[i] = path.z[i] - x * s + z * c;
@@ -109,18 +110,18 @@ double strain(const Foot &foot, const FinePath &path, const Stance &place, uint3
 {
     const double own = path.heading[i], turn = place.heading_rad - own;
     const auto node = [&](double heading) {
-        const double c = std::cos(heading), s = std::sin(heading);
+        const double c = math::cos(heading), s = math::sin(heading);
         return glm::dvec2(foot.node_x[i] * c + foot.node_z[i] * s, -foot.node_x[i] * s + foot.node_z[i] * c);
     };
     // The foot's node goes round the sole as the foot is turned.
     const glm::dvec2 wanted =
         glm::dvec2(place.x, place.z) + node(own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad));
-    const glm::dvec2 clip = glm::dvec2(foot.x[i], foot.z[i]) + node(own);
-    const double shift = std::hypot(wanted.x - clip.x, wanted.y - clip.y) / max_shift_m;
+    const glm::dvec2 clip = glm::dvec2(foot.x[i], foot.z[i]) + node(own), hip(foot.hip_x[i], foot.hip_z[i]);
+    const double shift = glm::length(wanted - clip) / max_shift_m;
     // A clip may stretch a leg farther than that by itself.
-    const double own_leg = std::hypot(foot.hip_x[i] - clip.x, foot.hip_z[i] - clip.y);
+    const double own_leg = glm::length(hip - clip);
     const double allowed = std::max(leg_share * foot.reach[i], 1.02 * own_leg);
-    const double flat = std::hypot(foot.hip_x[i] - wanted.x, foot.hip_z[i] - wanted.y);
+    const double flat = glm::length(hip - wanted);
     const double below = path.y[i] - place.y;
     const double sink = below > 0 ? sink_wanted(foot.leg_m, foot.reach[i], flat, below) / (max_sink * foot.leg_m) : 0;
     return std::max({flat / allowed, shift, std::fabs(turn) / max_foot_turn_rad, sink});

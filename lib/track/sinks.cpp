@@ -5,6 +5,7 @@
 
 #include <glm/vec2.hpp>
 
+#include "lib/math/trig.h"
 #include "lib/track/piece.h"
 
 namespace claque::track
@@ -25,7 +26,7 @@ double need_of(const Locomotion &locomotion, const FinePath &path, const Plant &
     if (!(below > 0)) return 0;
     const GaitCell cell = cell_at(locomotion, path.gait[i], path.turning[i], path.phase[i]);
     const auto turned = [scale_m](float x, float z, double heading) {
-        const double c = std::cos(heading), s = std::sin(heading);
+        const double c = math::cos(heading), s = math::sin(heading);
         return glm::dvec2(double(x) * c + double(z) * s, -double(x) * s + double(z) * c) * scale_m;
     };
     const double own = path.heading[i], turn = nearest_turn(double(plant.heading_rad) - own, 0);
@@ -35,7 +36,7 @@ double need_of(const Locomotion &locomotion, const FinePath &path, const Plant &
         glm::dvec2(plant.x, plant.z) +
         turned(cell.node_x[f], cell.node_z[f], own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad));
     return sink_wanted(double(locomotion.leg_length) * scale_m, double(cell.reach[f]) * scale_m,
-                       std::hypot(hip.x - node.x, hip.y - node.y), below);
+                       glm::length(hip - node), below);
 }
 
 // The largest within `half` samples of each, then their mean.

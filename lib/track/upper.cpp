@@ -83,7 +83,7 @@ void make_shoulders(const BuildSettings &settings, const FinePath &path, Track &
         const double x = other.x - path.x[i], z = other.z - path.z[i], distance = std::sqrt(x * x + z * z);
         const double close = eased((far_m - distance) / (far_m - near_m));
         // The shoulder on the side of the other goes back; one ahead or behind is not passed.
-        const double left = x * std::cos(path.heading[i]) - z * std::sin(path.heading[i]);
+        const double left = x * math::cos(path.heading[i]) - z * math::sin(path.heading[i]);
         const double turn = distance > 0 ? shoulder_rad * close * left / distance : 0;
         if (std::fabs(turn) < 0.03) continue;
         ShoulderTurn next{static_cast<float>(gone_s), static_cast<float>(shoulder_half_s), static_cast<float>(turn)};

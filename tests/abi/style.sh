@@ -29,4 +29,10 @@ report 'names of tests are sentences in CamelCase, suites too' \
 # The parser itself has no limit of depth, and its values are copied, compared and freed by recursion.
 report 'JSON is read by samples/io/json.h or lib/asset/json_parse.cpp, which limit its depth' \
     "$(echo "$sources" | grep -v '^tests/\|^samples/io/json.h$' | xargs grep -nE '[Jj]son::parse\(' || true)"
+# Other processors and C libraries round these otherwise; GLM calls them.
+libm='a?(sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|[tl]gamma|erfc?'
+glm='angle|angleAxis|eulerAngles|orientedAngle|perspective|rotate|rotation|slerp'
+report 'functions whose bits differ between C libraries: lib/math/trig.h has them' \
+    "$(echo "$sources" | grep '^\(animcache\|lib\|meshsplit\|passes\)/' |
+        xargs grep -nE "std::($libm)[fl]?\(|glm::($libm|$glm)\(|(^|[^:.>_[:alnum:]])($libm)f\(" || true)"
 exit $bad

@@ -41,7 +41,7 @@ public:
         const double turn = std::fmod(degrees, 360.0) * (math::pi / 180);
         double here[2], there[2];
         place(x, y, here);
-        place(x - std::sin(turn), y + std::cos(turn), there);
+        place(x - math::sin(turn), y + math::cos(turn), there);
         return static_cast<float>(math::atan2(there[1] - here[1], there[0] - here[0]));
     }
 

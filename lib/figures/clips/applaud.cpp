@@ -1,9 +1,9 @@
 // Standing and clapping in front of the chest, six claps a loop.
-#include <cmath>
 
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/grip.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -26,7 +26,7 @@ void clap(Pose &pose, Side side, const Grip &grip)
 Pose applaud_at(float phase)
 {
     Pose pose;
-    const float s = std::sin(pi * claps * phase);
+    const float s = math::sin(pi * claps * phase);
     const float apart = s * s;  // 0: the palms meet
     const float sway = wave(phase, 1), nod = wave(phase, 2, 0.2f);
     pose.shift_pelvis({0.012f * sway, -0.014f - 0.002f * (1 - apart), 0});

@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "lib/math/trig.h"
+
 namespace claque::figures
 {
 
@@ -84,7 +86,7 @@ const std::vector<ClipMaker> &figure_clips()
     return all;
 }
 
-float wave(float phase, int cycles, float at) { return std::sin(2 * pi * (static_cast<float>(cycles) * phase + at)); }
+float wave(float phase, int cycles, float at) { return math::sin(2 * pi * (static_cast<float>(cycles) * phase + at)); }
 
 void add_clip(model::Rig &rig, const ClipMaker &maker, Fit fit)
 {

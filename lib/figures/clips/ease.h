@@ -1,9 +1,8 @@
 // Easing functions over the phase of a clip: how a movement starts, holds and stops.
 #pragma once
 
-#include <cmath>
-
 #include "lib/figures/clips/pose.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -39,7 +38,7 @@ inline float hold(float phase, float from, float full, float until, float to)
 // Rises from 0 to 1 and falls back `cycles` times.
 inline float swell(float phase, int cycles = 1)
 {
-    const float s = std::sin(pi * static_cast<float>(cycles) * phase);
+    const float s = math::sin(pi * static_cast<float>(cycles) * phase);
     return s * s;
 }
 

@@ -6,6 +6,7 @@
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/grip.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -45,7 +46,7 @@ Pose stand_applaud_at(float phase)
 {
     const float share = hold(phase, 0.02f, 0.18f, 0.82f, 0.98f), within = loop(phase, 2);
     Pose pose = between_poses(stand_at(phase), applaud_at(within), share, 0);
-    const float s = std::sin(6 * pi * within);
+    const float s = math::sin(6 * pi * within);
     Grip clap = clapping(s * s, glm::vec3(0, 1.245f, 0.345f));
     clap.pole = glm::vec3(0.45f, -1, -0.20f);
     for (const Side side : {Side::left, Side::right}) blend_to_grip(pose, side, clap, share, {0, 0, 0.04f}, 0.3f);

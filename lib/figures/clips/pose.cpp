@@ -6,14 +6,16 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
+#include "lib/math/trig.h"
+
 namespace claque::figures
 {
 
 glm::quat turn(glm::vec3 axis, float degrees)
 {
     const float half = degrees * pi / 360;
-    const glm::vec3 v = glm::normalize(axis) * std::sin(half);
-    return glm::quat(std::cos(half), v.x, v.y, v.z);
+    const glm::vec3 v = glm::normalize(axis) * math::sin(half);
+    return glm::quat(math::cos(half), v.x, v.y, v.z);
 }
 
 glm::quat shortest_rotation(glm::vec3 from, glm::vec3 to)

@@ -1,9 +1,9 @@
 // Applauding on the seat: the hands leave the lap, clap ten times, and return.
-#include <cmath>
 
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/seat.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -21,7 +21,7 @@ Pose sit_applaud_at(float phase)
     Posture body;
     const float up = hold(phase, 0.02f, first, last, 0.98f);
     const float through = (phase - first) / (last - first) * static_cast<float>(seated_claps);
-    const float s = through > 0 && through < static_cast<float>(seated_claps) ? std::sin(pi * through) : 0;
+    const float s = through > 0 && through < static_cast<float>(seated_claps) ? math::sin(pi * through) : 0;
     // Before the first clap and after the last one the hands are further apart.
     const float ends = 1 - hold(phase, first - 0.05f, first, last, last + 0.05f);
     const float apart = s * s + 0.8f * ends;

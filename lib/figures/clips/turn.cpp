@@ -1,10 +1,10 @@
 // Stepping on the spot, in step with the walk, for a body that turns meanwhile: one foot after the other is lifted and
 // put down where it was. Where it comes down is the track's affair.
-#include <cmath>
 
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -28,8 +28,8 @@ Footing turn_footing(Side side, float phase)
     const float t = (phase - turn_carry_end) / (1 - turn_carry_end);
     f.heel_up_deg = hermite(turn_leave_deg, 26, 0, 0, t);
     f.toes_flat = 1 - smooth(0, 0.5f, t);
-    const float toes_deg = f.heel_up_deg * (1 - f.toes_flat), rise = std::sin(pi * t);
-    f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.040f * rise * rise;
+    const float toes_deg = f.heel_up_deg * (1 - f.toes_flat), rise = math::sin(pi * t);
+    f.lift = 0.085f * math::sin(toes_deg * pi / 180) + 0.040f * rise * rise;
     return f;
 }
 
@@ -38,8 +38,8 @@ Footing turn_footing(Side side, float phase)
 Pose turn_at(float phase)
 {
     Pose pose;
-    const float carried = std::sin(2 * pi * (phase - 0.07f));  // 1: the left leg carries
-    pose.shift_pelvis({0.030f * carried, -0.012f - 0.005f * std::cos(4 * pi * (phase - 0.06f)), 0});
+    const float carried = math::sin(2 * pi * (phase - 0.07f));  // 1: the left leg carries
+    pose.shift_pelvis({0.030f * carried, -0.012f - 0.005f * math::cos(4 * pi * (phase - 0.06f)), 0});
     pose.set(Bone::pelvis, roll(1.8f * carried) * pitch(1));
     pose.set(Bone::spine, roll(-1.2f * carried) * pitch(0.5f));
     pose.set(Bone::spine_upper, roll(-0.9f * carried));

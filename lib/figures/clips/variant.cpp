@@ -10,6 +10,7 @@
 #include "lib/figures/clips/grip.h"
 #include "lib/figures/clips/stance.h"
 #include "lib/figures/mesh.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -130,7 +131,7 @@ public:
     Pose at(float phase) const
     {
         // Late in one half of the clip, early in the other, and in time at both ends.
-        const Pose own = handed(maker_.pose_at(phase + v_.lead * std::sin(2 * pi * phase) / (2 * pi)), phase);
+        const Pose own = handed(maker_.pose_at(phase + v_.lead * math::sin(2 * pi * phase) / (2 * pi)), phase);
         const float share = anchored_ ? hold(phase, 0, 0.15f, 0.85f, 1) : 1;
         Pose pose = own;
         move_trunk(pose, phase, share);

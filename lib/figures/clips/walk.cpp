@@ -1,10 +1,10 @@
 // One cycle of a walk, two steps on the spot as on a treadmill. While a foot carries, it moves back at a constant
 // speed.
-#include <cmath>
 
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -35,7 +35,7 @@ Footing footing(float phase)
     f.toes_flat = 1 - smooth(0, 0.55f, t);
     // High enough for the tips of the toes, which point down while the foot is steep.
     const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
-    f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.024f * std::sin(pi * t);
+    f.lift = 0.085f * math::sin(toes_deg * pi / 180) + 0.024f * math::sin(pi * t);
     return f;
 }
 
@@ -44,18 +44,18 @@ Footing footing(float phase)
 Pose walk_at(float phase)
 {
     Pose pose;
-    const float lead = std::cos(2 * pi * phase);               // 1: the left heel strikes
-    const float carried = std::sin(2 * pi * (phase - 0.05f));  // 1: the left leg carries
-    pose.shift_pelvis({0.020f * carried, -0.030f - 0.016f * std::cos(4 * pi * (phase - 0.05f)), 0});
+    const float lead = math::cos(2 * pi * phase);               // 1: the left heel strikes
+    const float carried = math::sin(2 * pi * (phase - 0.05f));  // 1: the left leg carries
+    pose.shift_pelvis({0.020f * carried, -0.030f - 0.016f * math::cos(4 * pi * (phase - 0.05f)), 0});
     pose.set(Bone::pelvis, yaw(-7 * lead) * roll(2.6f * carried) * pitch(3.0f));
     pose.set(Bone::spine, yaw(4.0f * lead) * roll(-1.6f * carried) * pitch(0.5f));
     pose.set(Bone::spine_upper, yaw(4.5f * lead) * roll(-1.2f * carried));
     pose.set(Bone::chest, yaw(4.0f * lead) * pitch(-0.5f));
     pose.set(Bone::neck, yaw(-3.0f * lead) * pitch(-1.0f));
-    pose.set(Bone::head, yaw(-2.5f * lead) * pitch(-1.5f + 0.8f * std::cos(4 * pi * phase)));
+    pose.set(Bone::head, yaw(-2.5f * lead) * pitch(-1.5f + 0.8f * math::cos(4 * pi * phase)));
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
-        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
+        const float swing = -math::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
         hang_arm(pose, side, 1 + 20 * swing, 10.5f, 19 + 9 * swing, 10);
         curl_hand(pose, side, 0.22f);
         stand_on(pose, side, footing(own));

@@ -1,10 +1,10 @@
 // One cycle of a slow walk on the spot, in step with the walk: short steps, both feet on the ground for a third of the
 // time, and weight that goes farther to each side than in the walk.
-#include <cmath>
 
 #include "lib/figures/clips/clips.h"
 #include "lib/figures/clips/ease.h"
 #include "lib/figures/clips/stance.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures
 {
@@ -36,7 +36,7 @@ Footing slow_footing(float phase)
     f.toes_flat = 1 - smooth(0, 0.55f, t);
     // High enough for the tips of the toes, which point down while the foot is steep.
     const float toes_deg = f.heel_up_deg > 0 ? f.heel_up_deg * (1 - f.toes_flat) : 0;
-    f.lift = 0.085f * std::sin(toes_deg * pi / 180) + 0.018f * std::sin(pi * t);
+    f.lift = 0.085f * math::sin(toes_deg * pi / 180) + 0.018f * math::sin(pi * t);
     return f;
 }
 
@@ -45,18 +45,18 @@ Footing slow_footing(float phase)
 Pose walk_slow_at(float phase)
 {
     Pose pose;
-    const float lead = std::cos(2 * pi * phase);               // 1: the left heel strikes
-    const float carried = std::sin(2 * pi * (phase - 0.07f));  // 1: the left leg carries
-    pose.shift_pelvis({0.027f * carried, -0.014f - 0.006f * std::cos(4 * pi * (phase - 0.06f)), 0});
+    const float lead = math::cos(2 * pi * phase);               // 1: the left heel strikes
+    const float carried = math::sin(2 * pi * (phase - 0.07f));  // 1: the left leg carries
+    pose.shift_pelvis({0.027f * carried, -0.014f - 0.006f * math::cos(4 * pi * (phase - 0.06f)), 0});
     pose.set(Bone::pelvis, yaw(-3.5f * lead) * roll(2.0f * carried) * pitch(1.5f));
     pose.set(Bone::spine, yaw(2.0f * lead) * roll(-1.3f * carried) * pitch(0.5f));
     pose.set(Bone::spine_upper, yaw(2.2f * lead) * roll(-1.0f * carried));
     pose.set(Bone::chest, yaw(2.0f * lead) * pitch(-0.6f));
     pose.set(Bone::neck, yaw(-1.4f * lead) * pitch(0.5f));
-    pose.set(Bone::head, yaw(-1.3f * lead) * pitch(-0.5f + 0.4f * std::cos(4 * pi * phase)));
+    pose.set(Bone::head, yaw(-1.3f * lead) * pitch(-0.5f + 0.4f * math::cos(4 * pi * phase)));
     for (const Side side : {Side::left, Side::right}) {
         const float own = side == Side::left ? phase : phase < 0.5f ? phase + 0.5f : phase - 0.5f;
-        const float swing = -std::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
+        const float swing = -math::cos(2 * pi * (own + 0.02f));  // 1: this arm is in front
         hang_arm(pose, side, 1 + 9 * swing, 9.8f, 16 + 4 * swing, 11);
         curl_hand(pose, side, 0.19f);
         stand_on(pose, side, slow_footing(own));

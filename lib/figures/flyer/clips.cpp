@@ -2,10 +2,9 @@
 // phase with whole periods only, so that they close.
 #include "lib/figures/clips/clips.h"
 
-#include <cmath>
-
 #include "lib/figures/flyer/axes.h"
 #include "lib/figures/flyer/flyer.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer
 {
@@ -81,7 +80,7 @@ struct Clip {
 };
 const std::array<Clip, 3> clips = {{{"fly", 60, fly_at}, {"glide", 120, glide_at}, {"hover", 60, hover_at}}};
 
-glm::quat turn(glm::vec3 axis, float angle) { return glm::quat(std::cos(angle / 2), axis * std::sin(angle / 2)); }
+glm::quat turn(glm::vec3 axis, float angle) { return glm::quat(math::cos(angle / 2), axis * math::sin(angle / 2)); }
 
 glm::quat wing(const Attitude &a, float side)
 {

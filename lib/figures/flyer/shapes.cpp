@@ -4,6 +4,8 @@
 
 #include <glm/geometric.hpp>
 
+#include "lib/math/trig.h"
+
 namespace claque::figures::flyer
 {
 
@@ -15,7 +17,7 @@ constexpr float spine_turn = 6.28318531f;
 // The point at the fraction `u` of the ring, from the back over the right and the front.
 glm::vec3 on_ring(const Ring &ring, float u, float swell)
 {
-    const float x = -std::sin(spine_turn * u), z = -std::cos(spine_turn * u);
+    const float x = -math::sin(spine_turn * u), z = -math::cos(spine_turn * u);
     return ring.centre + ring.ex * (swell * x * ring.side) + ring.ez * (swell * z * (z > 0 ? ring.front : ring.back));
 }
 
@@ -67,7 +69,7 @@ void add_ball(MeshBuilder &to, Chart chart, const Ball &ball, int columns, int r
         std::vector<MeshBuilder::SheetVertex> stops;
         for (int k = 0; k <= rows; ++k) {
             const float pitch = ball.up * (2 * static_cast<float>(k) / static_cast<float>(rows) - 1);
-            const glm::vec3 d(std::sin(yaw) * std::cos(pitch), std::sin(pitch), std::cos(yaw) * std::cos(pitch));
+            const glm::vec3 d(math::sin(yaw) * math::cos(pitch), math::sin(pitch), math::cos(yaw) * math::cos(pitch));
             stops.push_back({ball.centre + d * ball.radius, glm::vec2(yaw, pitch)});
         }
         meridians.push_back(stops);
@@ -82,7 +84,8 @@ void add_lid(MeshBuilder &to, Chart chart, const Ball &ball, int columns, const 
         const float aside = ball.aside * (2 * static_cast<float>(i) / static_cast<float>(columns) - 1);
         std::vector<MeshBuilder::SheetVertex> stops;
         for (const float pitch : pitches) {
-            const glm::vec3 d(std::sin(aside), std::cos(aside) * std::sin(pitch), std::cos(aside) * std::cos(pitch));
+            const glm::vec3 d(math::sin(aside), math::cos(aside) * math::sin(pitch),
+                              math::cos(aside) * math::cos(pitch));
             stops.push_back({ball.centre + d * ball.radius, glm::vec2(aside, pitch)});
         }
         meridians.push_back(stops);
@@ -93,7 +96,7 @@ void add_lid(MeshBuilder &to, Chart chart, const Ball &ball, int columns, const 
 void add_tube(MeshBuilder &to, const Tube &tube, const std::vector<Ring> &rings)
 {
     const float n = static_cast<float>(tube.around);
-    const float swell = 2 / (1 + std::cos(spine_turn / 2 / n));
+    const float swell = 2 / (1 + math::cos(spine_turn / 2 / n));
     std::vector<std::vector<MeshBuilder::SheetVertex>> meridians;
     for (int k = 0; k <= tube.around; ++k) {
         const float u = static_cast<float>(k % tube.around) / n;

@@ -5,6 +5,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/patrician/patrician.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::patrician
 {
@@ -128,7 +129,7 @@ void add_bun(Mesh &mesh)
                                                     {-1, 0, 0}, up, {r.radius, r.radius, r.radius, r.radius});
         for (size_t i = 0; i <= ring.size(); ++i) {
             const float angle = 6.28318531f * static_cast<float>(i) / static_cast<float>(ring.size());
-            next.push_back({ring[i % ring.size()], r.st * glm::vec2(-std::sin(angle), -std::cos(angle))});
+            next.push_back({ring[i % ring.size()], r.st * glm::vec2(-math::sin(angle), -math::cos(angle))});
         }
         for (size_t i = 0; i + 1 < before.size(); ++i)
             mesh.sew(bun, Winding::reversed, {before[i], before[i + 1]}, {next[i], next[i + 1]}, Along::s);

@@ -4,6 +4,7 @@
 #include "lib/figures/brush.h"
 #include "lib/figures/patrician/paint.h"
 #include "lib/figures/patrician/patrician.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::patrician
 {
@@ -61,7 +62,7 @@ Paint paint_hair(const Texel &t)
     const float turn = dy >= std::fabs(dx) ? dx / (dy + 1e-4f)
                        : dx > 0            ? 2 - dy / (dx + 1e-4f)
                                            : -2 - dy / (-dx + 1e-4f);
-    const float wave = 0.12f * std::sin(p.z * 160);
+    const float wave = 0.12f * math::sin(p.z * 160);
     const float strand = value_noise((turn + wave) * 22, p.z * 16, 104);
     const float lock = value_noise((turn + wave) * 7, p.z * 10, 105);
     return {178 + 50 * strand + 44 * lock - 22 * (1 - edge) - 70 * spot(back, 0.012f), Zone::hair};

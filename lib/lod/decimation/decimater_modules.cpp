@@ -1,7 +1,8 @@
 #include "lib/lod/decimation/decimater_modules.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "lib/math/trig.h"
 
 namespace claque::lod
 {
@@ -34,7 +35,7 @@ template <class MeshType>
 void ModFlips<MeshType>::configure(const WeldedSurface *surface, double turn_deg)
 {
     surface_ = surface;
-    min_cosine_ = std::cos(turn_deg * 3.14159265358979323846 / 180);
+    min_cosine_ = math::cos(turn_deg * 3.14159265358979323846 / 180);
 }
 
 namespace

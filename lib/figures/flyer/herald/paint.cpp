@@ -4,6 +4,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/flyer/wing.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer::herald
 {
@@ -17,8 +18,8 @@ Paint paint_chest(const Texel &t)
 {
     const float u = t.st.x * turn, y = t.position.y;
     // Folds gather towards the belt and fall from the shoulders in swags.
-    const float fall = value_noise(t.st.x * 44 + 0.8f * std::sin(y * 14), y * 6, 11);
-    const float swag = std::sin(y * 46 + 2.2f * std::cos(u * 2)) * smoothstep(0.16f, 0.30f, y);
+    const float fall = value_noise(t.st.x * 44 + 0.8f * math::sin(y * 14), y * 6, 11);
+    const float swag = math::sin(y * 46 + 2.2f * math::cos(u * 2)) * smoothstep(0.16f, 0.30f, y);
     float g = 224 + 36 * (fall - 0.5f) * smoothstep(0.42f, 0.16f, y) + 5 * swag;
     if (y > 0.112f && y < 0.142f && t.st.y < 0.2f) {
         const float buckle = spot(glm::vec2(t.position.x, y), {0, 0.127f}, {0.030f, 0.030f});
@@ -33,7 +34,7 @@ Paint paint_chest(const Texel &t)
 
 Paint paint_skirt(const Texel &t)
 {
-    const float pleat = std::cos(turn * t.st.x * 6);
+    const float pleat = math::cos(turn * t.st.x * 6);
     float g = 214 + 22 * pleat * (1 - t.st.y) + 18 * (value_noise(t.st.x * 48, t.st.y * 3, 12) - 0.5f);
     g -= 60 * smoothstep(0.72f, 0.95f, t.st.y);  // below the blouse
     if (t.st.y < 0.13f && t.st.y > 0.035f) {
@@ -47,7 +48,7 @@ Paint paint_skirt(const Texel &t)
 
 Paint collar(const Texel &t)
 {
-    const float bead = std::cos(turn * t.st.x * 24) * spot(t.st.y - 0.22f, 0.2f);
+    const float bead = math::cos(turn * t.st.x * 24) * spot(t.st.y - 0.22f, 0.2f);
     return {204 + 26 * bead - 50 * spot(t.st.y - 0.45f, 0.05f) - 40 * spot(t.st.y - 0.02f, 0.05f), Zone::jewellery};
 }
 
@@ -98,7 +99,7 @@ Paint trumpet(const Texel &t)
     const float y = t.st.y;  // from 0 in the mouth of the bell
     if (y > -0.080f) return {92 - 40 * smoothstep(-0.08f, 0, y), Zone::jewellery};
     const float ring = spot(y + 0.40f, 0.012f) + spot(y + 0.78f, 0.012f);
-    return {196 + 44 * std::sin(turn * t.st.x + 0.8f) - 70 * ring, Zone::jewellery};
+    return {196 + 44 * math::sin(turn * t.st.x + 0.8f) - 70 * ring, Zone::jewellery};
 }
 
 Paint far_limb(const Texel &t)
@@ -118,7 +119,7 @@ Paint plain(const Texel &t)
     if (t.chart == scroll_chart) {
         if (std::fabs(t.st.y + 0.174f) < 0.014f) return {200, Zone::border};  // the ribbon
         const float end = std::min(std::fabs(t.st.y), std::fabs(t.st.y + 0.344f));
-        return {end < 0.024f ? 150 + 60 * std::cos(end * 900) : 240.0f, Zone::eyes};
+        return {end < 0.024f ? 150 + 60 * math::cos(end * 900) : 240.0f, Zone::eyes};
     }
     if (t.chart == talaria_chart) return {230 - 60 * spot(t.st.x * 4 - std::floor(t.st.x * 4), 0.3f), Zone::wings};
     return {176 + 60 * spot(t.st.y - 0.5f, 0.5f) - 50 * spot(t.st.y - 0.5f, 0.08f), Zone::belt};  // leaves

@@ -3,6 +3,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/flyer/herald/paint.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer::herald
 {
@@ -15,7 +16,7 @@ Paint hair(glm::vec2 st, float over)
 {
     const float angle = angle_of(std::fabs(st.x)) * (st.x < 0 ? -1.0f : 1.0f);
     const float fall = st.y * 60 + 0.8f * value_noise(angle * 4 + 20, st.y * 30, 2);
-    const float bend = 0.5f * std::sin(fall * 1.1f + 2 * value_noise(angle * 1.5f + 9, 3, 5));
+    const float bend = 0.5f * math::sin(fall * 1.1f + 2 * value_noise(angle * 1.5f + 9, 3, 5));
     const float u = angle * 7.5f + bend;
     const float across = u - std::floor(u);
     const float lock = 1 - 4 * (across - 0.5f) * (across - 0.5f);
@@ -100,7 +101,7 @@ Paint paint_far_head(const Texel &t)
     const glm::vec2 q(std::fabs(p.x), t.st.y);
     if (p.z > 0) {
         const glm::vec2 e = (q - glm::vec2(eye_left.x, 0.019f)) / glm::vec2(0.019f, 0.0115f);
-        const float r = std::hypot(e.x, e.y);
+        const float r = glm::length(e);
         if (r < 1) return {r < 0.62f ? 62.0f : 226.0f, Zone::eyes};
         if (std::fabs(q.y - 0.053f) < 0.006f && q.x > 0.012f && q.x < 0.062f) return {128, Zone::hair};
         if (is_lip(q, 0)) return {std::fabs(q.y + 0.0735f) < 0.002f ? 110.0f : 190.0f, Zone::lips};
@@ -111,10 +112,10 @@ Paint paint_far_head(const Texel &t)
 
 Paint paint_eye(const Texel &t)
 {
-    const float r = std::hypot(t.st.x, t.st.y);
+    const float r = glm::length(t.st);
     float grey = 240 - 50 * smoothstep(0.4f, 1.0f, r);
     if (r < 0.46f) grey = r < 0.20f ? 18 : r < 0.40f ? 84 + 60 * smoothstep(0.1f, -0.4f, t.st.y) : 48;
-    if (std::hypot(t.st.x - 0.15f, t.st.y - 0.17f) < 0.085f) grey = 255;
+    if (glm::length(t.st - glm::vec2(0.15f, 0.17f)) < 0.085f) grey = 255;
     return {grey, Zone::eyes};
 }
 

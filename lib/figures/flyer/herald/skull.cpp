@@ -6,6 +6,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/flyer/herald/herald.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer::herald
 {
@@ -30,7 +31,7 @@ constexpr glm::vec2 nose[] = {{-0.053f, 0.000f}, {-0.046f, 0.012f}, {-0.036f, 0.
 float hair(float angle, float height)
 {
     const float over = height - hairline(std::fabs(angle));
-    const float tuft = std::sin(angle * 5 + 0.6f) * std::sin(height * 70 + angle * 3);
+    const float tuft = math::sin(angle * 5 + 0.6f) * math::sin(height * 70 + angle * 3);
     return smoothstep(-0.004f, 0.012f, over) * (0.013f + 0.007f * tuft);
 }
 
@@ -56,11 +57,11 @@ float hairline(float angle)
 
 glm::vec3 on_head(float angle, float height, Sculpt sculpt)
 {
-    const float sx = std::sin(angle), cz = std::cos(angle);
+    const float sx = math::sin(angle), cz = math::cos(angle);
     const float a = profile(side, height), b = cz > 0 ? profile(front, height) : profile(back, height);
     if (a <= 0) return head_centre + glm::vec3(0, height, 0);
     constexpr float p = 2.25f;
-    const float radius = std::pow(std::pow(std::fabs(sx) / a, p) + std::pow(std::fabs(cz) / b, p), -1 / p);
+    const float radius = math::pow(math::pow(std::fabs(sx) / a, p) + math::pow(std::fabs(cz) / b, p), -1 / p);
     glm::vec3 q(radius * sx, height, radius * cz);
     const glm::vec2 f(std::fabs(q.x), q.y);
     const float ahead = cz > 0 ? 1.0f : 0.0f;

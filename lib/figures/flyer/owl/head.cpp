@@ -5,6 +5,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/flyer/owl/owl.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer::owl
 {
@@ -17,8 +18,8 @@ constexpr float half_turn = 3.14159265f, crown = 0.200f;
 glm::vec3 on_head(float angle, float height)
 {
     const float k = std::fabs(height) / 0.205f;
-    const float r = std::pow(std::max(0.0f, 1 - std::pow(k, 2.4f)), 1 / 2.4f);
-    const float sx = std::sin(angle), cz = std::cos(angle);
+    const float r = math::pow(std::max(0.0f, 1 - math::pow(k, 2.4f)), 1 / 2.4f);
+    const float sx = math::sin(angle), cz = math::cos(angle);
     glm::vec3 q(0.235f * r * sx, height, (cz > 0 ? 0.180f : 0.190f) * r * cz);
     if (cz > 0) {
         const glm::vec2 f(std::fabs(q.x), q.y);

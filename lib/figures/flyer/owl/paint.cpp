@@ -3,6 +3,7 @@
 
 #include "lib/figures/brush.h"
 #include "lib/figures/flyer/owl/owl.h"
+#include "lib/math/trig.h"
 
 namespace claque::figures::flyer::owl
 {
@@ -78,8 +79,8 @@ Paint far_head(const Texel &t)
 
 Paint eye(const Texel &t)
 {
-    const float r = std::hypot(t.st.x, t.st.y);
-    if (std::hypot(t.st.x - 0.20f, t.st.y - 0.22f) < 0.09f) return {255, Zone::eyes};
+    const float r = glm::length(t.st);
+    if (glm::length(t.st - glm::vec2(0.20f, 0.22f)) < 0.09f) return {255, Zone::eyes};
     if (r < 0.36f) return {20, Zone::eyes};
     const float spoke = value_noise(t.st.x * 9 / (r + 0.05f) + 60, t.st.y * 9 / (r + 0.05f) + 60, 34);
     return {r < 0.86f ? 236 - 40 * spoke - 60 * spot(r - 0.86f, 0.16f) - 30 * spot(r - 0.36f, 0.08f) : 70, Zone::eyes};
@@ -101,19 +102,19 @@ Paint paint(const Texel &t)
     if (t.chart == lid_chart)
         return t.st.y < 0.58f ? Paint{90, Zone::outer} : Paint{tiles(t.st.x * 4, t.st.y * 5), Zone::hair};
     if (t.chart == beak_chart) return {196 + 50 * t.st.y - 30 * spot(t.st.x - 0.5f, 0.15f), Zone::skin};
-    if (t.chart == tuft_chart) return {190 + 46 * std::sin(t.st.x * 22) * (1 - t.st.y) - 60 * t.st.y, Zone::outer};
+    if (t.chart == tuft_chart) return {190 + 46 * math::sin(t.st.x * 22) * (1 - t.st.y) - 60 * t.st.y, Zone::outer};
     if (t.chart == ruff_chart) return {tiles(t.st.x * 24, t.st.y * 3), Zone::hair};
     if (t.chart == chest_chart) return body(t, 7);
     if (t.chart == belly_chart) return body(t, 11);
     if (t.chart == collar_chart)
-        return {214 - 60 * spot(t.st.y - 0.92f, 0.1f) + 20 * std::sin(t.st.x * 120), Zone::jewellery};
+        return {214 - 60 * spot(t.st.y - 0.92f, 0.1f) + 20 * math::sin(t.st.x * 120), Zone::jewellery};
     if (t.chart == foot_chart) return {tiles(t.st.x * 9, t.st.y * 5), Zone::tunic};
     if (t.chart == talon_chart) return {200 - 120 * smoothstep(0.55f, 0.75f, t.st.y), Zone::skin};
     if (t.chart == letter_chart) return letter(t);
     if (t.chart == far_body_chart) return {200, t.position.z > 0.05f ? Zone::tunic : Zone::outer};
     if (t.chart == tail_chart) {
         const float c = -t.st.x, k = t.st.y * 5, x = 2 * (k - std::floor(k)) - 1;
-        const float bar = std::sin(c * 26 - 3 * x * x);
+        const float bar = math::sin(c * 26 - 3 * x * x);
         return {
             214 - 50 * smoothstep(0.2f, 0.8f, bar) - 46 * smoothstep(0.84f, 1.0f, std::fabs(x)) - 30 * spot(x, 0.1f),
             Zone::wings};
