@@ -5,10 +5,10 @@ JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
-.PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads test-mutants \
-    fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare test-few test-hosts docs \
-    test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl test-guest nightly release \
-    coverage check format clean
+.PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
+    test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
+    test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
+    test-guest nightly release test-bits coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -23,6 +23,7 @@ help:
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
 	@echo "make soak       a million updates of a changing crowd, then films whose processes are killed, random input and malformed viewers of the window (some minutes)"
 	@echo "make test-threads  the tests of what the headers say about threads, under ThreadSanitizer"
+	@echo "make test-bits  the hashes of tests/bits by GCC and clang, as Release and with -O1 (COMPILERS='g++-13': others)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
@@ -107,6 +108,10 @@ test-asan test-tsan test-scalar: test-%:
 test-threads: setup
 	@cmake/threads.sh $(JOBS) out/threads.log
 
+# Each compiler makes the same bits.
+test-bits: setup
+	@tests/bits/compilers.sh $(JOBS) $(COMPILERS)
+
 # tests/mutants/README.md
 test-mutants: setup
 	@tests/mutants/run.py --jobs $(JOBS) $(MUTANTS)
@@ -166,6 +171,7 @@ golden-accept: build
 	GALLIUM_DRIVER=softpipe $(CLAQUE) render --scene odeon --lod off --camera close --size 320x240 --time 1.5 --out tests/golden/odeon-close.png
 	GALLIUM_DRIVER=softpipe $(CLAQUE) view patrician --lod off --count 2 --size 640x720 --script tests/golden/window.toml --shots tests/golden
 	$(BUILD)/tests/embed/strip_host > tests/golden/strip_host.txt
+	$(BUILD)/tests/bits/claque_bits > tests/bits/expected.txt
 
 # What the shared libraries export and import now is what they may.
 abi-accept: build
