@@ -1,6 +1,8 @@
 # Flags that are law (determinism) and the two functions that folders use.
 
 include(GNUInstallDirs)
+# Prepared people, as libclaque-assets.so finds them from its own folder.
+file(RELATIVE_PATH CLAQUE_PEOPLE_FOLDER ${CMAKE_INSTALL_FULL_LIBDIR} ${CMAKE_INSTALL_FULL_DATADIR}/claque/people)
 
 # Files of a folder are compiled in batches, which takes less time; the preset `dev` compiles each by itself.
 if(NOT DEFINED CMAKE_UNITY_BUILD)

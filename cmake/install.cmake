@@ -1,6 +1,6 @@
-# `make install`: headers, libraries, the claque command with its manual, the Python module, pkg-config and CMake
-# packages; and what goes into which Debian package (cmake/package.cmake): components runtime, assets, stage, dev,
-# command. The module is in none of them.
+# `make install`: headers, libraries, prepared people, the claque command with its manual, the Python module, pkg-config
+# and CMake packages; and what goes into which Debian package (cmake/package.cmake): components runtime, assets, people,
+# stage, dev, command. The module is in none of them.
 include(CMakePackageConfigHelpers)
 
 install(DIRECTORY include/claque TYPE INCLUDE COMPONENT dev FILES_MATCHING PATTERN "*.h")
@@ -34,7 +34,8 @@ endif()
 
 # All that is installed.
 set(installed claque claque_static)
-foreach(target claque-assets claque-assets_static claque-stage claque-stage_static claque_manual claque_mpi osgdb_claque)
+foreach(target claque-assets claque-assets_static claque-stage claque-stage_static claque_people claque_manual claque_mpi
+        osgdb_claque)
     if(TARGET ${target})
         list(APPEND installed ${target})
     endif()

@@ -254,7 +254,9 @@ CLQ_API clq_status clq_asset_build(clq_context *context, const clq_asset *asset,
  * it refuses with LIMIT is built without levels, and a warning says why. Levels take seconds, so the template is kept
  * on disk as by clq_template_prepare, in $XDG_CACHE_HOME/claque, else $HOME/.cache/claque; without a folder it is made
  * in each call. The template of the same bytes and options then comes from there, in milliseconds, without the warnings
- * of the file. For one without levels, or nothing on disk: clq_asset_load or clq_asset_builtin, then clq_asset_build.
+ * of the file. A built-in character that was installed with the library comes from there at once
+ * (clq_prepare_def.folder). For one without levels, or nothing on disk: clq_asset_load or clq_asset_builtin, then
+ * clq_asset_build.
  *   out   owned by the host until clq_template_destroy
  * Fail: as clq_asset_load or clq_asset_builtin, and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,

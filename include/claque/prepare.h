@@ -22,8 +22,13 @@ typedef struct clq_prepare_def {
     uint32_t max_texture_px;          /* as in clq_asset_build */
     /* The folder of prepared files, which is made with mode 0700 if it is missing. It must belong to the user that runs
      * the program, and no other may write it; files in it that are links or that others own or may write are not read.
-     * NULL: $XDG_CACHE_HOME/claque, else $HOME/.cache/claque, else none. "": no folder. Without a folder the template
-     * is made anew. */
+     * NULL: $XDG_CACHE_HOME/claque, else $HOME/.cache/claque, else none; a built-in character comes from the folder
+     * that was installed with the library, if it is there. "": no folder. Without a folder the template is made anew.
+     *
+     * The installed folder, share/claque/people, is found from the absolute path of the libclaque-assets.so that is
+     * loaded; a program that links the library statically has none. It is only read. The folder and its files belong to
+     * root or to the owner of the library, and no other may write them. A file that breaks this rule, that is a link,
+     * that is damaged or of another build is passed over, and a warning in the log names it and the reason. */
     const char *folder;
     const clq_asset_dof *dofs; /* [dof_count] added as by clq_asset_add_dofs, before levels are made */
     uint32_t dof_count;
@@ -33,7 +38,7 @@ CLQ_DEFINE_ZERO_INIT(clq_prepare_def)
 
 typedef struct clq_prepare_report {
     uint32_t struct_bytes; /* set by clq_prepare_report_init */
-    bool from_disk;        /* the template was loaded from the folder */
+    bool from_disk;        /* the template was loaded from the folder, or from the installed one */
     bool stored;           /* the template was made and stored in the folder */
     char text[256];        /* why it was made and not stored, which is no failure; else "" */
 } clq_prepare_report;

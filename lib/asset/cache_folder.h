@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "lib/asset/owned_folder.h"
+
 namespace claque::asset
 {
 
@@ -14,20 +16,13 @@ public:
     // Opens the folder and makes it, readable and writable for its owner alone, if it is missing. Throws base::Error
     // (CLQ_IO) with a sentence that says how to repair a folder that belongs to another user or that others may write.
     explicit CacheFolder(const std::string &path);
-    ~CacheFolder();
-    CacheFolder(const CacheFolder &) = delete;
-    CacheFolder &operator=(const CacheFolder &) = delete;
 
-    // The bytes of a regular file of this user's that no other may write, and no link; else empty.
-    std::vector<uint8_t> read(const std::string &name) const;
+    std::vector<uint8_t> read(const std::string &name) const { return folder_.read(name); }
     // Writes the whole file or nothing, aside, and gives it its name when it is complete. Throws base::Error (CLQ_IO).
     void write(const std::string &name, const std::vector<uint8_t> &bytes) const;
 
 private:
-    [[noreturn]] void fail(const std::string &name) const;
-
-    std::string path_;
-    int number_ = -1;
+    OwnedFolder folder_;
 };
 
 }  // namespace claque::asset

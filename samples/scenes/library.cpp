@@ -1,7 +1,6 @@
 #include "samples/scenes/library.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace scenes
 {
@@ -47,10 +46,13 @@ int append(void *user, const void *bytes, size_t size)
 
 }  // namespace
 
+const std::vector<std::string> person_names = {"citizen", "patrician", "decurion", "plebeian"};
+const std::vector<uint32_t> multitude_levels = {540, 270};
+const std::vector<uint32_t> amphitheatre_levels = {606, 250, 120, 60, 30, 14, 10};
+
 bool is_person(const std::string &name)
 {
-    static const char *const names[] = {"citizen", "patrician", "decurion", "plebeian"};
-    return std::find(std::begin(names), std::end(names), name) != std::end(names);
+    return std::find(person_names.begin(), person_names.end(), name) != person_names.end();
 }
 
 bool is_builtin(const std::string &name) { return is_person(name) || name == "herald" || name == "owl"; }
@@ -114,14 +116,8 @@ clq_template *Library::builtin(const std::string &name, const std::vector<uint32
     chain.target_count = static_cast<uint32_t>(levels.size());
     clq_prepare_def def = clq_prepare_def_init();
     def.builtin = name.c_str();
-    def.levels = &chain;
-    return own(key, [&] {
-        clq_template *made = nullptr;
-        const clq_status status = clq_template_prepare(context(), &def, &made, nullptr);
-        if (status == CLQ_ARGUMENT && levels.empty())
-            def.levels = nullptr;  // it has levels of its own, or no such name
-        return status == CLQ_OK ? Own<clq_template>(made) : prepared(context(), def);
-    });
+    if (is_person(name) || !levels.empty()) def.levels = &chain;  // what flies has levels of its own
+    return own(key, [&] { return prepared(context(), def); });
 }
 
 clq_template *Library::looking(const std::string &name, bool levels)

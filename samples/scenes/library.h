@@ -18,6 +18,11 @@ namespace scenes
 // Whether libclaque-assets has a built-in character of this name.
 bool is_builtin(const std::string &name);
 bool is_person(const std::string &name);  // one of its four people
+extern const std::vector<std::string> person_names;
+
+// Triangles of the coarser levels in scenes that do not take claque's usual ones. The multitude: S3's have a fifth and
+// a tenth of a finest one that is five times ours. The amphitheatre: the last two are for people of up to six pixels.
+extern const std::vector<uint32_t> multitude_levels, amphitheatre_levels;
 
 class Library
 {

@@ -38,7 +38,8 @@ TEST_F(Prepare, UsesNoFolderThatOthersMayWriteAndSaysHowToRepairIt)
         EXPECT_EQ(made(owl(), report), fresh);
         EXPECT_FALSE(report.from_disk) << "what lies there may be planted";
         EXPECT_FALSE(report.stored);
-        EXPECT_NE(std::string(report.text).find("'chmod 700 " + folder_.string() + "' repairs that"), std::string::npos)
+        EXPECT_NE(std::string(report.text).find("'chmod go-w " + folder_.string() + "' repairs that"),
+                  std::string::npos)
             << report.text;
     }
     ASSERT_EQ(chmod(folder_.c_str(), 0755), 0);
@@ -55,7 +56,8 @@ TEST_F(Prepare, SaysHowToRepairAFolderOfALongPathToo)
     clq_prepare_def def = owl();
     def.folder = deep.c_str();
     made(def, report);
-    EXPECT_NE(std::string(report.text).find("'chmod 700 " + deep + "' repairs that"), std::string::npos) << report.text;
+    EXPECT_NE(std::string(report.text).find("'chmod go-w " + deep + "' repairs that"), std::string::npos)
+        << report.text;
 }
 
 TEST_F(Prepare, UsesNoFolderAndNoFileOfAnotherUser)

@@ -119,6 +119,41 @@ TEST_F(Install, GoesBelowDestdirAndIsFoundWhereItWillBe)
               "");
 }
 
+#ifdef CLAQUE_HAS_PEOPLE
+// Templates that are made are stored in the user's folder, which stays absent here. The odeon's levels take seconds.
+TEST_F(Install, BringsPreparedPeopleSoThatScenesMakeNone)
+{
+    home_.write("draw", R"(
+export XDG_CACHE_HOME="$PWD/cache" LD_LIBRARY_PATH="$PWD/prefix/lib"
+prefix/bin/claque render --size 64x48 --out a.png "$@" > said 2>&1 || { echo "$@"; cat said; exit 1; }
+[ ! -s said ] || cat said
+[ ! -e cache/claque ] || { echo "$@: $(ls cache/claque | wc -l) made"; rm -r cache/claque; }
+)");
+    const std::string scenes = printed(
+        "LD_LIBRARY_PATH=prefix/lib prefix/bin/claque render --help | sed -n 's/.*--scene TEXT:{\\([^}]*\\)}.*/\\1/p' "
+        "| tr ',' '\\n'");
+    EXPECT_NE(scenes.find("odeon\nmultitude\n"), std::string::npos) << scenes;
+    home_.write("scenes", scenes);
+    EXPECT_EQ(
+        printed("while read -r scene; do case $scene in hundred_actors) count= ;; *) count='--count 200' ;; esac; "
+                "sh -e draw --scene $scene $count; done < scenes"),
+        "");
+    EXPECT_EQ(printed("for scenario in '" CLAQUE_SOURCE_DIR
+                      "'/samples/scenarios/*.toml; do sh -e draw --scenario \"$scenario\"; done"),
+              "");
+    EXPECT_EQ(printed("for name in citizen patrician decurion plebeian herald owl; do sh -e draw $name; done"), "");
+    EXPECT_EQ(printed("mv prefix/share/claque/people people; sh -e draw --scene odeon --count 200"),
+              "--scene odeon --count 200: 3 made\n");
+}
+
+TEST_F(Install, LetsNobodyElseWritePreparedPeopleWhateverTheUmask)
+{
+    printed("umask 002\n" + make("install PREFIX=" + home_.path() + "/open"));
+    EXPECT_EQ(printed("cd open/share/claque && stat -c %a people people/* | sort | uniq -c | tr -s ' '"),
+              " 20 644\n 1 755\n");
+}
+#endif
+
 TEST_F(Install, LetsHostsInCLinkEachLibrarySharedOrStatic)
 {
     const std::string built = printed("export CFLAGS='" CLAQUE_C_FLAGS "' CXXFLAGS='" CLAQUE_CXX_FLAGS

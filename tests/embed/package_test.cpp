@@ -14,7 +14,8 @@ TEST(Package, IsFiveThatUnpackedTogetherRun)
     const auto [made, log] = home.run("cpack --config '" CLAQUE_BUILD_DIR "/CPackConfig.cmake' -B debs");
     ASSERT_EQ(made, 0) << log;
     const auto [unpacked, trouble] = home.run(
-        "for deb in debs/*.deb; do dpkg-deb -x $deb root; dpkg-deb -f $deb Package Depends > ${deb%_*_*.deb}.txt; "
+        "for deb in debs/*.deb; do dpkg-deb -x $deb root; dpkg-deb -f $deb Package Architecture Depends Recommends > "
+        "${deb%_*_*.deb}.txt; "
         "done");
     ASSERT_EQ(unpacked, 0) << trouble;
 
@@ -47,6 +48,11 @@ TEST(Package, IsFiveThatUnpackedTogetherRun)
     says(assets, "zlib1g");
 #endif
     says("claque", assets + exactly);
+#ifdef CLAQUE_HAS_PEOPLE
+    says(assets, "Recommends: claque-people" + exactly);
+    says("claque-people", "Architecture: all");
+    EXPECT_EQ(home.run("ls root/usr/share/claque/people | wc -l").second, "20\n");
+#endif
     says("libclaque-dev", runtime + exactly);
     const std::string control = text_of_file(home.path() + "/debs/" + runtime + ".txt");
     EXPECT_EQ(control.find("libopenmesh"), std::string::npos) << control;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/api/assets/assets_helpers.h"
+#include "lib/api/assets/installed_people.h"
 #include "lib/api/boundary.h"
 #include "lib/api/build_id.h"
 #include "lib/model/template_file.h"
@@ -66,12 +67,13 @@ void add_options(const clq_asset_options &options, asset::ContentHash &all)
     all.add(uint64_t(options.strict));
 }
 
-KeptTemplate kept_template(clq_context *context, const std::string &folder, const asset::ContentHash &hash,
-                           const std::function<Template()> &make)
+KeptTemplate kept_template(clq_context *context, bool installed, const std::string &folder,
+                           const asset::ContentHash &hash, const std::function<Template()> &make)
 {
     KeptTemplate kept;
-    const std::string name = hash.hex() + ".claque";
-    if (!folder.empty()) kept.tmpl = from_disk(context, folder, name);
+    const std::string build = start_of_name().hex().substr(0, 16), name = build + "-" + hash.hex() + ".clq";
+    if (installed) kept.tmpl = installed_template(context, build, name);
+    if (!kept.tmpl && !folder.empty()) kept.tmpl = from_disk(context, folder, name);
     kept.from_disk = kept.tmpl != nullptr;
     if (kept.from_disk) return kept;
     kept.tmpl = make();

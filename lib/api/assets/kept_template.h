@@ -29,9 +29,9 @@ struct KeptTemplate {
 asset::ContentHash start_of_name();
 void add_options(const clq_asset_options &options, asset::ContentHash &all);
 
-// Loads the template from the folder, or makes it and stores it there. `folder`: "" for none. Throws what `make`
-// throws, and std::bad_alloc.
-KeptTemplate kept_template(clq_context *context, const std::string &folder, const asset::ContentHash &name,
-                           const std::function<Template()> &make);
+// Loads the template from `folder`, or makes it and stores it there. `folder`: "" for none. `installed`: it may have
+// been prepared with the library, and is then taken from there. Throws what `make` throws, and std::bad_alloc.
+KeptTemplate kept_template(clq_context *context, bool installed, const std::string &folder,
+                           const asset::ContentHash &name, const std::function<Template()> &make);
 
 }  // namespace claque::api

@@ -1,11 +1,12 @@
 // Characters in one call, with levels of detail and kept on disk: clq_template_load_gltf and clq_template_builtin.
 #include <claque/levels.h>
 
-#include <functional>
+#include <string>
 
 #include "lib/api/assets/assets_helpers.h"
 #include "lib/api/assets/kept_template.h"
 #include "lib/api/boundary.h"
+#include "lib/figures/figure.h"
 
 using namespace claque;
 
@@ -24,19 +25,6 @@ api::Template built_in_levels(clq_context *context, clq_asset *asset)
     return api::Template(made);
 }
 
-clq_template *kept(clq_context *context, const asset::ContentHash &name,
-                   const std::function<clq_status(clq_asset **)> &load)
-{
-    return api::kept_template(context, asset::user_cache_folder(), name,
-                              [&] {
-                                  clq_asset *loaded = nullptr;
-                                  api::pass_on(load(&loaded));
-                                  const api::Asset asset(loaded);
-                                  return built_in_levels(context, asset.get());
-                              })
-        .tmpl.release();
-}
-
 }  // namespace
 
 extern "C" clq_status clq_template_load_gltf(clq_context *context, const void *bytes, size_t size_bytes,
@@ -49,8 +37,12 @@ extern "C" clq_status clq_template_load_gltf(clq_context *context, const void *b
         name.add(std::string("clq_template_load_gltf"));
         asset::add_bytes(bytes, size_bytes, api::name_of(wanted.base_folder), api::limit_of(wanted), name);
         api::add_options(wanted, name);
-        *out = kept(context, name,
-                    [&](clq_asset **asset) { return clq_asset_load(context, bytes, size_bytes, options, asset); });
+        const auto make = [&] {
+            clq_asset *loaded = nullptr;
+            api::pass_on(clq_asset_load(context, bytes, size_bytes, options, &loaded));
+            return built_in_levels(context, api::Asset(loaded).get());
+        };
+        *out = api::kept_template(context, false, asset::user_cache_folder(), name, make).tmpl.release();
     });
 }
 
@@ -58,9 +50,11 @@ extern "C" clq_status clq_template_builtin(clq_context *context, const char *nam
 {
     return api::boundary("clq_template_builtin", [&] {
         api::require(context && name && out, "context, name or out is NULL");
-        asset::ContentHash all = api::start_of_name();
-        all.add(std::string("clq_template_builtin"));
-        all.add(std::string(name));
-        *out = kept(context, all, [&](clq_asset **asset) { return clq_asset_builtin(context, name, asset); });
+        const clq_levels_def levels = clq_levels_def_init();
+        clq_prepare_def def = clq_prepare_def_init();
+        def.builtin = name;
+        for (const figures::Builtin &person : figures::people())  // the others have levels of their own
+            if (std::string(name) == person.name) def.levels = &levels;
+        api::pass_on(clq_template_prepare(context, &def, out, nullptr));
     });
 }

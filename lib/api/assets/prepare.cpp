@@ -98,15 +98,18 @@ extern "C" clq_status clq_template_prepare(clq_context *context, const clq_prepa
         check(wanted);
         if (wanted.options) api::require_size(*wanted.options, "clq_asset_options_init");
         if (wanted.levels) api::require_size(*wanted.levels, "clq_levels_def_init");
+        const bool installed = wanted.builtin && !wanted.folder;
         const std::string folder = wanted.folder ? wanted.folder : asset::user_cache_folder();
         const auto make = [&] { return made_anew(context, wanted); };
+        const bool has_name = installed || !folder.empty();
         api::KeptTemplate kept =
-            api::kept_template(context, folder, folder.empty() ? asset::ContentHash() : name_of(wanted), make);
+            api::kept_template(context, installed, folder, has_name ? name_of(wanted) : asset::ContentHash(), make);
         clq_prepare_report found = clq_prepare_report_init();
         found.from_disk = kept.from_disk, found.stored = kept.stored;
         const char *const no_folder =
             wanted.folder ? "no folder was given" : "neither XDG_CACHE_HOME nor HOME is an absolute path";
-        std::snprintf(found.text, sizeof found.text, "%s", folder.empty() ? no_folder : kept.why_not_stored.c_str());
+        const bool needs_folder = folder.empty() && !kept.from_disk;
+        std::snprintf(found.text, sizeof found.text, "%s", needs_folder ? no_folder : kept.why_not_stored.c_str());
         if (out_report) api::write_out(out_report, found);
         *out = kept.tmpl.release();
     });

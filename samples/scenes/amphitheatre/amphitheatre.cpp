@@ -19,8 +19,6 @@ namespace
 using namespace amphitheatre;
 
 constexpr double usual_hour = 9.5;
-// The last two are for people of six pixels and less.
-const std::vector<uint32_t> level_triangles = {606, 250, 120, 60, 30, 14, 10};
 
 CrowdOptions of_many(CrowdOptions options)
 {
@@ -45,7 +43,7 @@ public:
           exposure_(plan_, velarium_, light_),
           stone_(plan_, exposure_, seed_),
           sky_(seed_, Sky::Land::hills),
-          figures_(library, level_triangles),
+          figures_(library, amphitheatre_levels),
           crowd_(library, of_many(options)),
           spectators_(figures_, crowd_, plan_, exposure_, options.count, seed_),
           games_(figures_, crowd_, plan_, exposure_, seed_)

@@ -17,8 +17,6 @@ namespace
 
 constexpr double spacing_m = 1.2, jitter_m = 0.28, ground_m = 600;
 constexpr float height_m = 1.75f, shadow_width_m = 0.95f;
-// Triangles of the two coarser levels. S3's have a fifth and a tenth of a finest one that is five times ours.
-const std::vector<uint32_t> coarser = {540, 270};
 constexpr std::array<const char *, 5> clips = {"applaud", "cheer", "stand_laugh", "stand_wave", "stand"};
 
 constexpr uint32_t cells = 28;  // of the ground, across
@@ -175,8 +173,8 @@ private:
 
 std::unique_ptr<Scene> make_multitude(Library &library, const CrowdOptions &crowd_options, const Character &)
 {
-    return std::make_unique<Multitude>(library, crowd_options, in_levels(library, {"decurion", "patrician"}, coarser),
-                                       View::among);
+    return std::make_unique<Multitude>(library, crowd_options,
+                                       in_levels(library, {"decurion", "patrician"}, multitude_levels), View::among);
 }
 
 // As from twice the distance: levels begin where twice their root mean square error is two pixels, not one.
