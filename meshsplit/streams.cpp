@@ -102,9 +102,11 @@ public:
     }
 
 private:
+    using ZoneLists = std::vector<std::vector<size_t>>;  // triangles, by zone
+
     void add_surface(uint32_t s, const std::vector<size_t> &triangles)
     {
-        std::vector<std::vector<size_t>> clean, touching;
+        ZoneLists clean, touching;
         std::vector<size_t> dirty;
         for (const size_t t : triangles) {
             const uint32_t count = zones_.count(t);
@@ -124,11 +126,11 @@ private:
         add_bins(clean, surface.clean);
         surface.dirty = add_range(dirty);
         add_bins(touching, surface.dirty_by_zone);
-        surface.fused = add_fused(clean, dirty);
+        surface.fused = add_fused(clean, touching);
         if (part_count_ > 1) surface.part_offsets.assign(part_firsts_.begin(), part_firsts_.end());
     }
 
-    void add_bins(const std::vector<std::vector<size_t>> &lists, model::Array<model::Bin> &out)
+    void add_bins(const ZoneLists &lists, model::Array<model::Bin> &out)
     {
         for (uint32_t z = 0; z < lists.size(); ++z)
             if (!lists[z].empty()) out.push_back({z, add_range(lists[z])});
@@ -147,19 +149,18 @@ private:
         return {first, here() - first};
     }
 
-    model::IndexRange add_fused(const std::vector<std::vector<size_t>> &clean, const std::vector<size_t> &dirty)
+    model::IndexRange add_fused(const ZoneLists &clean, const ZoneLists &touching)
     {
         const uint32_t first = here();
-        std::vector<size_t> next(clean.size());  // position in each zone's list
-        size_t next_dirty = 0;
+        std::vector<size_t> next_clean(clean.size()), next_touching(touching.size());  // positions in the lists
         for (uint32_t part = 0; part < part_count_; ++part) {
             part_firsts_.push_back(here() - first);
             for (uint32_t z = 0; z < clean.size(); ++z)
-                for (; is_next(clean[z], next[z], part); ++next[z]) add_slotted(clean[z][next[z]], z, false);
-            for (; is_next(dirty, next_dirty, part); ++next_dirty) {
-                const size_t t = dirty[next_dirty];
-                for (uint32_t i = 0; i < zones_.count(t); ++i) add_slotted(t, zones_.of(t)[i], i > 0);
-            }
+                for (size_t &next = next_clean[z]; is_next(clean[z], next, part); ++next)
+                    add_slotted(clean[z][next], z, false);
+            for (uint32_t z = 0; z < touching.size(); ++z)
+                for (size_t &next = next_touching[z]; is_next(touching[z], next, part); ++next)
+                    add_slotted(touching[z][next], z, z != zones_.of(touching[z][next])[0]);
         }
         part_firsts_.push_back(here() - first);
         return {first, here() - first};

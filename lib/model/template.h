@@ -80,7 +80,8 @@ struct Surface {
     IndexRange dirty;
     // For each zone, ascending: the dirty triangles that touch it (source vertices).
     Array<Bin> dirty_by_zone;
-    // Clean triangles once; dirty ones once per zone touched, ascending; with their own vertices.
+    // Clean triangles once; dirty ones once per zone touched; with their own vertices. In the order of the bins within
+    // each part, so that strategies show the same triangle where depths tie.
     IndexRange fused;
 
     // The offsets of the level's parts in each of these ranges; the triangles of a range are sorted by part. Ranges are

@@ -142,6 +142,14 @@ TEST_F(Render, BenchComparesKindsOfShadowsInOneRun)
     EXPECT_GT(runs[2]["drawn"]["triangles"], 1000);
 }
 
+TEST_F(Render, BenchFindsOnePictureByEveryStrategyWhereDepthsTie)
+{
+    // One pixel of the second frame shows two triangles of one person at one depth.
+    const Outcome done = claque({"bench", "plaza", "--count", "500", "--cache", "none", "--strategy", "fused,binned",
+                                 "--frames", "2", "--size", "1024x768", "--json"});
+    EXPECT_EQ(done.code, 0) << done.err;
+}
+
 TEST_F(Render, OsmesaAndEglDrawTheSamePicture)
 {
     for (const char *kind : {"osmesa", "egl"})

@@ -1,5 +1,6 @@
 // The law of zones on sheets that meshsplit splits: awkward keys, wrap modes and image sizes.
 #include "tests/gl/support/driver.h"
+#include "tests/gl/support/fixture.h"
 #include "tests/gl/support/law_fixture.h"
 #include "tests/gl/support/split.h"
 
@@ -55,6 +56,33 @@ TEST_P(SplitLaw, HoldsForImagesThatHaveToBeResized)
                     model_of(mesh, torture_map(side, zones, zones > 1 ? 3 : 1), awkward_keys(zones, 1, 9), wrap);
                 hold(split_posed(source), source);
             }
+}
+
+TEST_P(SplitLaw, GivesTheSamePixelsByEveryStrategyWhereDepthsTie)
+{
+    Mesh twice = sheet(7, 0.2f);
+    const Mesh once = twice;
+    const uint32_t count = static_cast<uint32_t>(once.positions.size());
+    for (uint32_t v = 0; v < count; ++v) {
+        twice.positions.push_back(once.positions[v]), twice.normals.push_back(once.normals[v]);
+        twice.uvs.push_back(once.uvs[v] + glm::vec2(0.37f, 0.21f));  // other zones in the same place
+    }
+    for (const auto &t : once.triangles) twice.triangles.push_back({t[0] + count, t[1] + count, t[2] + count});
+    const PosedModel posed =
+        split_posed(model_of(twice, torture_map(64, 8, 3), awkward_keys(8, 0, 1), model::Wrap::repeat));
+    const std::vector<uint8_t> colours = zone_colours(posed.tmpl->zone_count());
+    const Camera camera = camera_on(posed, 2.6f, -0.5f, 0.4f, 4.0f / 3.0f);
+    ASSERT_NE(draw_ids(*context_, posed, camera, Order::forwards), draw_ids(*context_, posed, camera, Order::backwards))
+        << "no depths tie";
+    std::vector<Picture> pictures;
+    for (const passes::Strategy strategy : all_strategies) {
+        passes::Renderer renderer(std::pmr::get_default_resource(), options_of(strategy));
+        ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
+        ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
+        pictures.push_back(draw(*context_, renderer, list_of(posed, camera, colours.data())));
+        renderer.destroy();
+        EXPECT_TRUE(pictures.back() == pictures.front()) << "strategy " << int(strategy);
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(On, SplitLaw, testing::ValuesIn(targets(4)), name_of_target);

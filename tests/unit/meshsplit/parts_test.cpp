@@ -69,34 +69,30 @@ TEST(Parts, AreConsecutiveInEveryRange)
     model::check(*tmpl);
 }
 
-TEST(Parts, WithinTheFusedRangeHaveCleanTrianglesFirstAndCopiesByAscendingZone)
+TEST(Parts, WithinTheFusedRangeHaveTheirTrianglesInTheOrderOfTheBins)
 {
     const auto tmpl = built(striped(6));
     const model::Level &level = tmpl->levels[0];
     for (const model::Surface &surface : level.surfaces) {
-        const uint32_t *firsts = surface.part_offsets.data() + surface.part_offsets.size() - 7;
-        for (uint32_t p = 0; p < 6; ++p) {
-            bool dirty = false;
-            std::vector<uint32_t> last;
-            for (uint32_t i = firsts[p]; i < firsts[p + 1]; i += 3) {
-                std::vector<uint32_t> source;
-                uint32_t slot = 0;
-                for (uint32_t k = 0; k < 3; ++k) {
-                    const uint32_t v = level.indices[surface.fused.first + i + k];
-                    source.push_back(v < level.source_count ? v : level.copies[v - level.source_count]);
-                    slot = level.slots[v];
+        const std::vector<model::IndexRange> ranges = ranges_of(surface);
+        const size_t dirty = surface.clean.size(), fused = ranges.size() - 1;
+        size_t shown = 0;
+        for (uint32_t part = 0; part < 6; ++part) {
+            const auto add = [&](size_t range, std::vector<uint32_t> &out) {
+                const uint32_t *firsts = surface.part_offsets.data() + 7 * range + part;
+                for (uint32_t i = firsts[0]; i < firsts[1]; ++i) {
+                    const uint32_t v = level.indices[ranges[range].first + i];
+                    out.push_back(v < level.source_count ? v : level.copies[v - level.source_count]);
                 }
-                if (slot % 2) {
-                    EXPECT_EQ(source, last) << "a raised copy lies on the triangle before it";
-                    dirty = true;
-                } else if (dirty) {
-                    ASSERT_LT(i + 3, firsts[p + 1]) << "a clean triangle after dirty ones";
-                    const uint32_t next = level.indices[surface.fused.first + i + 3];
-                    EXPECT_EQ(level.slots[next] % 2, 1u) << "a clean triangle after dirty ones";
-                }
-                last = source;
-            }
+            };
+            std::vector<uint32_t> of_bins, of_fused;
+            for (size_t range = 0; range < fused; ++range)
+                if (range != dirty) add(range, of_bins);
+            add(fused, of_fused);
+            EXPECT_EQ(of_fused, of_bins) << "part " << part;
+            shown += of_fused.size();
         }
+        EXPECT_EQ(shown, surface.fused.count);
     }
 }
 

@@ -44,6 +44,16 @@ Touched zones_by_bins(const Level &level, const Surface &surface)
     return out;
 }
 
+// The triangles of ranges in the order in which they are drawn.
+using Order = std::vector<std::array<uint32_t, 3>>;
+Order order_of(const Level &level, const std::vector<model::IndexRange> &ranges)
+{
+    Order out;
+    for (const model::IndexRange &range : ranges)
+        each_triangle(range, [&](uint32_t i) { out.push_back(source_of(level, i)); });
+    return out;
+}
+
 void expect_laws(const model::Template &tmpl)
 {
     const Level &level = tmpl.levels[0];
@@ -69,6 +79,11 @@ void expect_laws(const model::Template &tmpl)
             ++fused;
         });
         EXPECT_EQ(by_fused, by_bins) << "both strategies show the same zones of every triangle";
+        std::vector<model::IndexRange> bins;
+        for (const auto *some : {&surface.clean, &surface.dirty_by_zone})
+            for (const model::Bin &bin : *some) bins.push_back(bin.range);
+        ASSERT_TRUE(surface.part_offsets.empty());
+        EXPECT_EQ(order_of(level, {surface.fused}), order_of(level, bins)) << "so that depths tie in one way";
         triangles += uint32_t(by_bins.size());
         dirty += uint32_t(dirty_once.size());
         for (const auto &entry : by_bins)
