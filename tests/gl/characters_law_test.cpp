@@ -131,9 +131,9 @@ TEST_P(WrittenCharactersLaw, HoldsWithZonesAcrossTheirTriangles)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(targets(4)), name_of_target);
-INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::ValuesIn(targets(1)), name_of_target);
-INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(targets(4)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, WrittenCharactersLaw, testing::ValuesIn(targets()), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, AllCharactersLaw, testing::ValuesIn(targets_here(1)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, CharactersLaw, testing::ValuesIn(targets()), name_of_target);
 
 }  // namespace
 }  // namespace gltest

@@ -31,7 +31,7 @@ TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(targets(on_softpipe() ? 2 : 4)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, FigureLaw, testing::ValuesIn(on_softpipe() ? targets_here(2) : targets()), name_of_target);
 
 }  // namespace
 }  // namespace gltest

@@ -40,7 +40,7 @@ TEST_P(LevelsOfCharacters, HoldTheLawOfZones)
         GTEST_SKIP() << "no assets in " << levels_folder;
     const std::string path = written::path_of(GetParam(), levels_folder);
     // By turns in each context and format.
-    const std::vector<Target> all = targets(4);
+    const std::vector<Target> all = targets_here();
     const Target &target = all[std::hash<std::string>()(GetParam()) % all.size()];
     const uint32_t cameras = hold(target, load_character(path), 256, 4);
     if (IsSkipped()) return;

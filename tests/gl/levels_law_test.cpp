@@ -40,7 +40,7 @@ std::vector<Case> cases()
 {
     constexpr uint32_t sizes[] = {1024, 128, 16};
     const char *const names[] = {"citizen", "patrician", "decurion", "plebeian"};
-    const std::vector<Target> all = targets(4);
+    const std::vector<Target> all = targets_here();
     std::vector<Case> chosen;
     for (size_t k = 0; k < 4; ++k)
         for (size_t size = 0; size < 3; ++size) chosen.push_back({names[k], sizes[size], all[(k + size) % all.size()]});

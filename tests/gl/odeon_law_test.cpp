@@ -204,6 +204,6 @@ TEST_P(OdeonLaw, HoldsOnCoarseLevelsInAllTextureSets)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, OdeonLaw, testing::ValuesIn(targets(4)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, OdeonLaw, testing::ValuesIn(targets()), name_of_target);
 
 }  // namespace gltest

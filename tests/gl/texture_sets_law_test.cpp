@@ -63,7 +63,8 @@ TEST_P(TextureSetsLaw, HoldsOnThePeopleInTheirSecondSets)
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(On, TextureSetsLaw, testing::ValuesIn(targets(on_softpipe() ? 2 : 4)), name_of_target);
+INSTANTIATE_TEST_SUITE_P(On, TextureSetsLaw, testing::ValuesIn(on_softpipe() ? targets_here(2) : targets()),
+                         name_of_target);
 
 }  // namespace
 }  // namespace gltest

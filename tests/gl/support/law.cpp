@@ -1,13 +1,16 @@
 #include "tests/gl/support/law.h"
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
+#include "tests/gl/support/absent.h"
 #include "tests/gl/support/source_picture.h"
 
 namespace gltest
 {
 
-std::vector<Target> targets(size_t most)
+std::vector<Target> targets()
 {
     using contexts::Kind, contexts::PixelFormat;
     constexpr Target all[] = {
@@ -18,8 +21,17 @@ std::vector<Target> targets(size_t most)
     const Kind named = contexts::kind_of_environment();
     std::vector<Target> chosen;
     for (const Target &target : all)
-        if (chosen.size() < most && (named == Kind::any ? target.kind != Kind::glx : target.kind == named))
-            chosen.push_back(target);
+        if (named == Kind::any ? target.kind != Kind::glx : target.kind == named) chosen.push_back(target);
+    return chosen;
+}
+
+std::vector<Target> targets_here(size_t most)
+{
+    std::vector<Target> chosen = targets();
+    const auto is_here = [](const Target &target) { return absent_gl(target.kind).empty(); };
+    const auto others = std::stable_partition(chosen.begin(), chosen.end(), is_here);
+    if (others != chosen.begin()) chosen.erase(others, chosen.end());
+    if (chosen.size() > most) chosen.erase(chosen.begin() + std::ptrdiff_t(most), chosen.end());
     return chosen;
 }
 

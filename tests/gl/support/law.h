@@ -13,9 +13,12 @@ struct Target {
     const char *name;
 };
 
-// The first `most` of OSMesa with 8888 and 565 and EGL with 8888 and 565. Where the variable CLAQUE_CONTEXT names a
-// kind, GLX perhaps, only those of that kind.
-std::vector<Target> targets(size_t most);
+// OSMesa with 8888 and 565 and EGL with 8888 and 565. Where the variable CLAQUE_CONTEXT names a kind, GLX perhaps, only
+// those of that kind.
+std::vector<Target> targets();
+
+// The first `most` of them whose libraries are here; if none are, of all. For what is drawn on some targets only.
+std::vector<Target> targets_here(size_t most = 4);
 
 // The plain and id pictures of four views, drawn once per character: near, whole, far, edge-on. With a source the plain
 // picture is drawn from that (source_picture.h), else from the template, which a splitter may have got wrong.
