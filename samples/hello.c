@@ -1,13 +1,14 @@
-/* A crowd in sixty lines: a hundred citizens applaud in a GL 1.1 context made with OSMesa; the picture is
- * hello.ppm. Your own program has a context already: copy only the part between the two rulers. */
+/* A crowd in fifty lines: a hundred citizens applaud in a GL 1.1 context without a window; the picture is hello.ppm.
+ * Your own program has a context already: copy only the part between the two rulers. */
 #include <claque/assets.h>
 #include <claque/claque.h>
 
-#include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { WIDTH = 640, HEIGHT = 480, GL_RGBA = 0x1908, GL_UNSIGNED_BYTE = 0x1401, DEPTH_AND_COLOUR = 0x4100 };
+#include "samples/examples/offscreen.h"
+
+enum { WIDTH = 640, HEIGHT = 480, DEPTH_AND_COLOUR = 0x4100 };
 
 static void check(clq_status status)
 {
@@ -16,26 +17,15 @@ static void check(clq_status status)
     exit(1);
 }
 
-static clq_gl_function (*osmesa_get)(const char *name);
-static clq_gl_function get_proc_address(void *user, const char *name) { return (void)user, osmesa_get(name); }
-
 int main(void)
 {
     static unsigned char pixels[4 * WIDTH * HEIGHT];
-    void *library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-    if (!library) return fprintf(stderr, "hello needs libosmesa6: %s\n", dlerror()), 77;
-    void *(*create)(unsigned, int, int, int, void *);
-    unsigned char (*make_current)(void *, void *, unsigned, int, int);
-    *(void **)&create = dlsym(library, "OSMesaCreateContextExt");
-    *(void **)&make_current = dlsym(library, "OSMesaMakeCurrent");
-    void (*destroy)(void *);
-    *(void **)&destroy = dlsym(library, "OSMesaDestroyContext");
-    *(void **)&osmesa_get = dlsym(library, "OSMesaGetProcAddress");
-    void *mesa = create(GL_RGBA, 24, 8, 0, NULL);
-    if (!mesa || !make_current(mesa, pixels, GL_UNSIGNED_BYTE, WIDTH, HEIGHT)) return 1;
-    void (*clear_colour)(float, float, float, float) = (void (*)(float, float, float, float))osmesa_get("glClearColor");
-    void (*clear)(unsigned) = (void (*)(unsigned))osmesa_get("glClear");
-    void (*finish)(void) = osmesa_get("glFinish");
+    offscreen screen;
+    const int failed = offscreen_open(&screen, WIDTH, HEIGHT, pixels);
+    if (failed) return failed;
+    void (*clear_colour)(float, float, float, float) =
+        (void (*)(float, float, float, float))offscreen_function(NULL, "glClearColor");
+    void (*clear)(unsigned) = (void (*)(unsigned))offscreen_function(NULL, "glClear");
 
     /* ---------------------------------------------------------------- claque: make a crowd */
     clq_context *context;
@@ -60,7 +50,7 @@ int main(void)
     }
     /* ---------------------------------------------------------------- and draw a frame at 2.5 s */
     clq_renderer_def renderer_def = clq_renderer_def_init();
-    renderer_def.get_proc_address = get_proc_address;
+    renderer_def.get_proc_address = offscreen_function;
     check(clq_renderer_create(context, &renderer_def, &renderer));
     check(clq_renderer_prepare(renderer, citizen));
     check(clq_view_create(crowd, &view));
@@ -74,7 +64,7 @@ int main(void)
     check(clq_crowd_update(crowd, 2.5, &view, 1));
     clear_colour(0.72f, 0.66f, 0.56f, 1), clear(DEPTH_AND_COLOUR);
     check(clq_renderer_draw(renderer, view, NULL));
-    finish();
+    offscreen_finish(&screen);
     /* ---------------------------------------------------------------- */
 
     FILE *file = fopen("hello.ppm", "wb");
@@ -84,7 +74,7 @@ int main(void)
         for (int x = 0; x < WIDTH; ++x) fwrite(pixels + 4 * (y * WIDTH + x), 1, 3, file);
     fclose(file);
     clq_renderer_destroy(renderer);
-    destroy(mesa);
+    offscreen_close(&screen);
     clq_template_destroy(citizen);
     clq_crowd_destroy(crowd);
     check(clq_context_destroy(context));

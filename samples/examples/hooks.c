@@ -1,21 +1,16 @@
 /* Drawing in GL: callbacks around the drawing of one actor, the result of preparing a template, and how a host goes on
- * after its GL context is lost. Exits with 77 without OSMesa. */
+ * after its GL context is lost. Exits with 77 without OpenGL. */
 #include <claque/assets.h>
 
-#include <dlfcn.h>
 #include <string.h>
 
 #include "samples/examples/check.h"
+#include "samples/examples/offscreen.h"
 
-enum { SIZE = 128, GL_RGBA = 0x1908, GL_UNSIGNED_BYTE = 0x1401, DEPTH_AND_COLOUR = 0x4100 };
+enum { SIZE = 128, DEPTH_AND_COLOUR = 0x4100 };
 
-static void *(*create)(unsigned, int, int, int, void *);
-static unsigned char (*make_current)(void *, void *, unsigned, int, int);
-static void (*destroy)(void *);
-static clq_gl_function (*osmesa_get)(const char *name);
 static unsigned char pixels[4 * SIZE * SIZE];
-
-static clq_gl_function get_proc_address(void *user, const char *name) { return (void)user, osmesa_get(name); }
+static offscreen screen;
 
 typedef struct counts {
     uint32_t before, after;
@@ -36,23 +31,22 @@ static bool before(void *user, clq_actor actor)
 static void after(void *user, clq_actor actor) { ((counts *)user)->after += actor.index1 > 0; }
 
 /* Makes a GL context and a renderer for it, which knows the template. */
-static void *new_context(clq_context *context, clq_template *tmpl, clq_renderer **renderer)
+static void new_context(clq_context *context, clq_template *tmpl, clq_renderer **renderer)
 {
-    void *mesa = create(GL_RGBA, 24, 8, 0, NULL);
-    expect(mesa && make_current(mesa, pixels, GL_UNSIGNED_BYTE, SIZE, SIZE), "OSMesa makes a context");
+    const int failed = offscreen_open(&screen, SIZE, SIZE, pixels);
+    if (failed) exit(failed);
     {
-        clq_gl_function found = osmesa_get("glColorMask");
+        clq_gl_function found = offscreen_function(NULL, "glColorMask");
         memcpy(&colour_mask, &found, sizeof found);
     }
     clq_renderer_def def = clq_renderer_def_init();
-    def.get_proc_address = get_proc_address, def.linear_clean = true;
+    def.get_proc_address = offscreen_function, def.linear_clean = true;
     check(clq_renderer_create(context, &def, renderer));
     clq_prepared_info prepared = clq_prepared_info_init();
     expect(clq_renderer_get_prepared(*renderer, tmpl, &prepared) == CLQ_ARGUMENT, "nothing is prepared yet");
     check(clq_renderer_prepare(*renderer, tmpl));
     check(clq_renderer_get_prepared(*renderer, tmpl, &prepared));
     expect(prepared.linear_count > 0 && prepared.linear_count <= prepared.triangle_count, "some are filtered");
-    return mesa;
 }
 
 /* Draws, and counts the pixels that are green. */
@@ -60,9 +54,9 @@ static uint32_t draw(clq_renderer *renderer, clq_view *view)
 {
     uint32_t green = 0;
     clq_draw_stats stats = clq_draw_stats_init();
-    ((void (*)(unsigned))osmesa_get("glClear"))(DEPTH_AND_COLOUR);
+    ((void (*)(unsigned))offscreen_function(NULL, "glClear"))(DEPTH_AND_COLOUR);
     check(clq_renderer_draw(renderer, view, &stats));
-    osmesa_get("glFinish")();
+    offscreen_finish(&screen);
     expect(stats.individuals == 1 && stats.draws > 0, "the actor is drawn");
     for (int i = 0; i < SIZE * SIZE; ++i) green += pixels[4 * i + 1] > 0;
     return green;
@@ -70,12 +64,6 @@ static uint32_t draw(clq_renderer *renderer, clq_view *view)
 
 int main(void)
 {
-    void *library = dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL);
-    if (!library) return fprintf(stderr, "this example needs libosmesa6: %s\n", dlerror()), 77;
-    *(void **)&create = dlsym(library, "OSMesaCreateContextExt");
-    *(void **)&make_current = dlsym(library, "OSMesaMakeCurrent");
-    *(void **)&destroy = dlsym(library, "OSMesaDestroyContext");
-    *(void **)&osmesa_get = dlsym(library, "OSMesaGetProcAddress");
     clq_context *context;
     clq_template *citizen;
     clq_crowd *crowd;
@@ -96,7 +84,7 @@ int main(void)
     check(clq_view_set_camera(view, &camera));
     check(clq_crowd_update(crowd, 1.0, &view, 1));
 
-    void *mesa = new_context(context, citizen, &renderer);
+    new_context(context, citizen, &renderer);
     const uint32_t plain = draw(renderer, view);
     expect(plain > 100, "without hooks the actor has green in its colours");
     counts seen = {0};
@@ -109,12 +97,12 @@ int main(void)
     check(clq_crowd_update(crowd, 1.0, &view, 1));
     expect(draw(renderer, view) == plain, "without hooks the picture is as before");
 
-    destroy(mesa); /* as when a window system takes the context away */
+    offscreen_close(&screen); /* as when a window system takes the context away */
     clq_renderer_abandon(renderer);
-    mesa = new_context(context, citizen, &renderer);
+    new_context(context, citizen, &renderer);
     expect(draw(renderer, view) == plain, "a new renderer draws the same picture in another context");
     clq_renderer_destroy(renderer);
-    destroy(mesa);
+    offscreen_close(&screen);
     clq_crowd_destroy(crowd);
     clq_template_destroy(citizen);
     check(clq_context_destroy(context));
