@@ -102,7 +102,7 @@ def installed():
             "GLX indirect",
             "glx",
             {},
-            (*XVFB, ("nm", "binutils"), ("cc", "gcc")),
+            (*XVFB, (str(SYSTEM / "libglapi.so.0"), "Debian 12's libglapi-mesa"), ("nm", "binutils"), ("cc", "gcc")),
             indirect,
             (NO_565, ("*ThatLeaveWhatCannotBeUndone*", "GL 1.4 has neither the buffers nor the programs")),
         ),
