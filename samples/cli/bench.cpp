@@ -130,7 +130,8 @@ void prefer_speed(const CLI::App &command, BenchArguments &a)
     if (command.count("--cache") == 0) a.caches = {"full"};
     if (command.count("--strategy") == 0) a.strategies = {"fused"};
     // Processes are forked by one that has no GL.
-    if (command.count("--context") != 0 || is_of_processes(a)) return;
+    if (command.count("--context") != 0 || contexts::kind_of_environment() != contexts::Kind::any || is_of_processes(a))
+        return;
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::egl, 16, 16, contexts::PixelFormat::rgba8888, why_not)) return;
     a.setup.context = "egl";

@@ -98,7 +98,6 @@ Json bench_flicker(const BenchArguments &a)
     const auto renderer_of = [&](const std::string &lod, const Manner &manner) {
         SceneArguments arguments = a.setup;
         arguments.scene = "odeon", arguments.camera = "path", arguments.lod = lod;
-        if (arguments.context == "any") arguments.context = "egl";  // which alone has several samples
         arguments.filter = manner.filter, arguments.multisample = manner.multisample,
         arguments.close_mib = manner.close_mib;
         arguments.close_distance_m = 1e6;

@@ -1,4 +1,6 @@
 // claque: draws pictures of crowds, describes and prepares characters, measures and compares.
+#include <cstdlib>
+
 #include "samples/cli/program.h"
 #include "samples/scenes/roles/roles_scene.h"
 #include "samples/scenes/walkers/scenario_walkers.h"
@@ -9,6 +11,7 @@
 int main(int argc, char **argv)
 {
     using namespace cli;
+    setenv("EGL_LOG_LEVEL", "fatal", 0);  // one sentence says why there is no context, without Mesa's guesses around it
     scenes::draw_tracks_with(scenes::walkers::make_scenario);
     scenes::draw_people_with(scenes::roles::make_scenario);
 #ifdef CLAQUE_STAGED

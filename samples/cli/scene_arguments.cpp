@@ -40,7 +40,7 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
         ->capture_default_str();
     command
         .add_option("--multisample", a.multisample,
-                    "Samples a pixel of the drawing surface, on EGL: smooth edges (1: none)")
+                    "Samples a pixel of the drawing surface: smooth edges (1: none)")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     command
@@ -171,10 +171,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     else if (options.shot == scenes::Shot::path)
         options.path.emplace(*scenes::recorded_path(options.scene), options.scene + "/path.toml");
     options.width = a.width, options.height = a.height;
-    options.context = a.context == "osmesa" ? contexts::Kind::osmesa
-                      : a.context == "egl"  ? contexts::Kind::egl
-                      : a.context == "glx"  ? contexts::Kind::glx
-                                            : contexts::Kind::any;
+    options.context = contexts::kind_named(a.context).value();
     options.format = a.format == "rgb565" ? contexts::PixelFormat::rgb565 : contexts::PixelFormat::rgba8888;
     options.strategy = strategy_named(a.strategy);
     options.flush_triangles = a.flush_triangles, options.flat_triangles = a.flat_triangles;

@@ -47,9 +47,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     request.switches.threads = shared ? std::min(request.cores_each, 4) : thread_count(a.what.setup);
     request.width = a.what.setup.width, request.height = a.what.setup.height;
     request.scale = static_cast<float>(a.scale);
-    request.context = a.what.setup.context == "osmesa" ? contexts::Kind::osmesa
-                      : a.what.setup.context == "egl"  ? contexts::Kind::egl
-                                                       : contexts::Kind::any;
+    request.context = contexts::kind_named(a.what.setup.context).value();
     if (a.serve->count() > 0) request.serve = a.served;
     request.say = [](const std::string &line) { std::cout << line << std::endl; };
     request.folder = a.folder;

@@ -20,7 +20,7 @@ int config_value(Handle config, int what)
 }
 
 // EGL sorts deeper colours first, so the exact format has to be searched for.
-Handle choose_config(PixelFormat format, int samples)
+Handle choose_config(PixelFormat format)
 {
     const bool small = format == PixelFormat::rgb565;
     const int wanted[] = {surface_type, pbuffer_bit, renderable_type, opengl_bit, depth_size, 24, end};
@@ -31,53 +31,16 @@ Handle choose_config(PixelFormat format, int samples)
         if (config_value(configs[i], red_size) == (small ? 5 : 8) &&
             config_value(configs[i], green_size) == (small ? 6 : 8) &&
             config_value(configs[i], blue_size) == (small ? 5 : 8) &&
-            config_value(configs[i], alpha_size) == (small ? 0 : 8) &&
-            config_value(configs[i], sample_count) == (samples > 1 ? samples : 0) &&
+            config_value(configs[i], alpha_size) == (small ? 0 : 8) && config_value(configs[i], sample_count) == 0 &&
             config_value(configs[i], depth_size) == 24 && config_value(configs[i], stencil_size) == 8)
             return configs[i];
     return nullptr;
 }
 
-// A framebuffer object of GL 3.0 with the mean of each pixel's samples, bound for reading.
-struct Resolved {
-    unsigned frame = 0, pixels = 0;
-};
-
-template <class Function>
-Function ask(const char *name)
-{
-    return reinterpret_cast<Function>(egl_library().get_proc_address(name));
-}
-
-Resolved resolve(int width, int height)
-{
-    constexpr unsigned to = 0x8CA9, from = 0x8CA8, renderbuffer = 0x8D41, colour = 0x8CE0, rgba8 = 0x8058;
-    constexpr unsigned colour_bit = 0x4000, nearest = 0x2600;
-    Resolved made;
-    ask<void (*)(int, unsigned *)>("glGenFramebuffers")(1, &made.frame);
-    ask<void (*)(int, unsigned *)>("glGenRenderbuffers")(1, &made.pixels);
-    ask<void (*)(unsigned, unsigned)>("glBindRenderbuffer")(renderbuffer, made.pixels);
-    ask<void (*)(unsigned, unsigned, int, int)>("glRenderbufferStorage")(renderbuffer, rgba8, width, height);
-    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(to, made.frame);
-    ask<void (*)(unsigned, unsigned, unsigned, unsigned)>("glFramebufferRenderbuffer")(to, colour, renderbuffer,
-                                                                                       made.pixels);
-    ask<void (*)(int, int, int, int, int, int, int, int, unsigned, unsigned)>("glBlitFramebuffer")(
-        0, 0, width, height, 0, 0, width, height, colour_bit, nearest);
-    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(from, made.frame);
-    return made;
-}
-
-void forget(const Resolved &made)
-{
-    ask<void (*)(unsigned, unsigned)>("glBindFramebuffer")(0x8D40, 0);
-    ask<void (*)(int, const unsigned *)>("glDeleteFramebuffers")(1, &made.frame);
-    ask<void (*)(int, const unsigned *)>("glDeleteRenderbuffers")(1, &made.pixels);
-}
-
 class EglOffscreen : public Offscreen
 {
 public:
-    EglOffscreen(int width, int height, int samples) : Offscreen(width, height), samples_(samples) {}
+    EglOffscreen(int width, int height) : Offscreen(width, height) {}
     ~EglOffscreen() override
     {
         const EglLibrary &l = egl_library();
@@ -89,11 +52,9 @@ public:
     bool start(PixelFormat format, std::string &why_not)
     {
         const EglLibrary &l = egl_library();
-        Handle config = l.bind_api(opengl_api) ? choose_config(format, samples_) : nullptr;
+        Handle config = l.bind_api(opengl_api) ? choose_config(format) : nullptr;
         if (!config) {
-            why_not = samples_ == 1 ? "EGL: no pixel buffer with desktop OpenGL in this format"
-                                    : "EGL: no pixel buffer with desktop OpenGL in this format with " +
-                                          std::to_string(samples_) + " samples a pixel";
+            why_not = "EGL: no pixel buffer with desktop OpenGL in this format";
             return false;
         }
         const int size[] = {width_key, width(), height_key, height(), end};
@@ -134,30 +95,18 @@ private:
         return made_current;
     }
 
-    // Mesa 22.3.6 does not average the samples when pixels are read, as GL says; a blit to a framebuffer object does.
-    void begin_read() const override
-    {
-        if (samples_ > 1) resolved_ = resolve(width(), height());
-    }
-    void end_read() const override
-    {
-        if (samples_ > 1) forget(resolved_);
-    }
-
     Handle surface_ = nullptr, context_ = nullptr;
-    int samples_;
-    mutable Resolved resolved_;
 };
 
 }  // namespace
 
-std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not, int samples)
+std::unique_ptr<Offscreen> make_egl(int width, int height, PixelFormat format, std::string &why_not)
 {
     if (!egl_library().why_not.empty()) {
         why_not = egl_library().why_not;
         return nullptr;
     }
-    auto made = std::make_unique<EglOffscreen>(width, height, samples);
+    auto made = std::make_unique<EglOffscreen>(width, height);
     if (!made->start(format, why_not)) return nullptr;
     return made;
 }

@@ -63,8 +63,8 @@ EglLibrary open_display()
         l.why_not = "EGL: libEGL.so.1 is missing (Debian: libegl1 and libgl1-mesa-dri)";
         return l;
     }
-    const char *wanted = std::getenv("CLAQUE_EGL_DEVICE");
-    if (wanted && *wanted) {
+    const std::string wanted = environment("CLAQUE_EGL_DEVICE"), driver = environment("GALLIUM_DRIVER");
+    if (!wanted.empty()) {
         open_device(l, wanted);
         return l;
     }
@@ -73,7 +73,9 @@ EglLibrary open_display()
     const int count = list_devices(l, devices);
     for (int i = 0; i < count; ++i)
         if (open_platform(l, platform_device, devices[i])) return l;
-    l.why_not = "EGL: no surfaceless platform and no device (Debian: libgl1-mesa-dri)";
+    l.why_not = driver.empty() ? "EGL: no surfaceless platform and no device (Debian: libgl1-mesa-dri)"
+                               : "EGL: no driver starts with GALLIUM_DRIVER '" + driver +
+                                     "' (Mesa has llvmpipe and softpipe: Debian's libgl1-mesa-dri)";
     return l;
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <dlfcn.h>
+#include <iterator>
 
-#include "samples/contexts/backends.h"
+#include "samples/contexts/samples.h"
 
 namespace contexts
 {
@@ -19,12 +20,6 @@ constexpr unsigned gl_pack_first = 0x0D00, gl_pack_alignment = 0x0D05;  // swap,
 constexpr unsigned gl_map_color = 0x0D10, gl_red_scale = 0x0D14, gl_depth_bias = 0x0D1F;
 constexpr unsigned gl_zoom_x = 0x0D16, gl_zoom_y = 0x0D17;
 constexpr unsigned gl_rgb = 0x1907, gl_depth_component = 0x1902, gl_unsigned_byte = 0x1401, gl_float = 0x1406;
-
-template <class Function>
-Function ask(const Offscreen &context, const char *name)
-{
-    return reinterpret_cast<Function>(context.get_proc_address()(context.user(), name));
-}
 
 // Sets all state that glReadPixels uses to its default.
 void default_pixel_state(const Offscreen &context)
@@ -66,7 +61,8 @@ bool Offscreen::describe(const char *kind, std::string &why_not)
 void Offscreen::read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const
 {
     ask<void (*)()>(*this, "glFinish")();
-    if (format == gl_rgb) begin_read();
+    std::optional<Resolved> resolved;
+    if (samples_ > 1) resolved.emplace(*this);
     ask<void (*)(unsigned)>(*this, "glPushClientAttrib")(gl_client_pixel_store_bit);
     ask<void (*)(unsigned)>(*this, "glPushAttrib")(gl_pixel_mode_bit);
     default_pixel_state(*this);
@@ -74,7 +70,7 @@ void Offscreen::read(int x0, int x1, unsigned format, unsigned type, size_t pixe
                                                                                          format, type, out);
     ask<void (*)()>(*this, "glPopAttrib")();
     ask<void (*)()>(*this, "glPopClientAttrib")();
-    if (format == gl_rgb) end_read();
+    resolved.reset();
 
     const size_t row_bytes = pixel_bytes * static_cast<size_t>(x1 - x0);
     char *rows = static_cast<char *>(out);
@@ -97,12 +93,32 @@ void Offscreen::read_depth(std::vector<float> &out) const
     read(0, width_, gl_depth_component, gl_float, sizeof(float), out.data());
 }
 
-Kind kind_of_environment()
+std::optional<Kind> kind_named(const std::string &word)
 {
-    const char *value = std::getenv("CLAQUE_CONTEXT");
-    const std::string name = value ? value : "";
-    return name == "osmesa" ? Kind::osmesa : name == "egl" ? Kind::egl : name == "glx" ? Kind::glx : Kind::any;
+    constexpr const char *words[] = {"any", "osmesa", "egl", "glx"};  // as Kind lists them
+    for (size_t kind = 0; kind < std::size(words); ++kind)
+        if (word == words[kind]) return static_cast<Kind>(kind);
+    return std::nullopt;
 }
+
+Kind kind_of_environment() { return kind_named(environment("CLAQUE_CONTEXT")).value_or(Kind::any); }
+
+namespace
+{
+
+// With one sample a pixel.
+std::unique_ptr<Offscreen> make_one(Kind kind, int width, int height, PixelFormat format, std::string &why_not)
+{
+    if (kind == Kind::glx) return make_glx(width, height, format, why_not);
+    std::unique_ptr<Offscreen> made;
+    std::string osmesa_why, egl_why;
+    if (kind != Kind::egl) made = make_osmesa(width, height, format, osmesa_why);
+    if (!made && kind != Kind::osmesa) made = make_egl(width, height, format, egl_why);
+    if (!made) why_not = osmesa_why + (osmesa_why.empty() || egl_why.empty() ? "" : ", and ") + egl_why;
+    return made;
+}
+
+}  // namespace
 
 std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not,
                                           int samples)
@@ -113,23 +129,30 @@ std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, Pixe
         return nullptr;
     }
     tell_leak_checker();
-    if (kind == Kind::any) kind = kind_of_environment();
-    if (samples > 1 && kind != Kind::any && kind != Kind::egl) {
-        why_not = "only EGL has contexts with several samples a pixel";
+    const std::string word = environment("CLAQUE_CONTEXT");
+    if (!word.empty() && !kind_named(word)) {
+        why_not = "CLAQUE_CONTEXT is '" + word + "'; it can be osmesa, egl, glx or any";
         return nullptr;
     }
+    if (kind == Kind::any) kind = kind_of_environment();
     if (samples > 1 && format != PixelFormat::rgba8888) {
         why_not = "contexts with several samples a pixel have the format rgba8888";
         return nullptr;
     }
-    if (samples > 1) return make_egl(width, height, format, why_not, samples);
-    if (kind == Kind::glx) return make_glx(width, height, format, why_not);
-    std::unique_ptr<Offscreen> made;
-    std::string osmesa_why, egl_why;
-    if (kind != Kind::egl) made = make_osmesa(width, height, format, osmesa_why);
-    if (!made && kind != Kind::osmesa) made = make_egl(width, height, format, egl_why);
-    if (!made) why_not = osmesa_why + (osmesa_why.empty() || egl_why.empty() ? "" : "; ") + egl_why;
+    std::unique_ptr<Offscreen> made = make_one(kind, width, height, format, why_not);
+    if (!made || samples == 1) return made;
+    if (!bind_samples(*made, samples)) {
+        why_not = made->name() + ": no target with " + std::to_string(samples) + " samples a pixel";
+        return nullptr;
+    }
+    made->samples_ = samples;
     return made;
+}
+
+std::string environment(const char *name)
+{
+    const char *value = std::getenv(name);
+    return value ? value : "";
 }
 
 void *open_library(const char *const *names)

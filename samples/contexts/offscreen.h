@@ -7,15 +7,16 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace contexts
 {
 
-// any: what the environment variable CLAQUE_CONTEXT names (osmesa, egl, glx); without it OSMesa if it is there, else
-// EGL. EGL draws on Mesa's surfaceless platform, else on the first device; CLAQUE_EGL_DEVICE names another by number.
-// GLX needs the X server that DISPLAY names, and is only used where it is named.
+// any: what the environment variable CLAQUE_CONTEXT names (any, osmesa, egl, glx); without it OSMesa if it is there,
+// else EGL. EGL draws on Mesa's surfaceless platform, else on the first device; CLAQUE_EGL_DEVICE names another by
+// number. GLX needs the X server that DISPLAY names, and is only used where it is named.
 enum class Kind : uint8_t { any, osmesa, egl, glx };
 enum class PixelFormat : uint8_t { rgba8888, rgb565 };
 
@@ -53,23 +54,26 @@ public:
 protected:
     Offscreen(int width, int height) : width_(width), height_(height) {}
     bool describe(const char *kind, std::string &why_not);  // fills name_, checks that GL answers
-    // Called before and after colours are read, where a pixel of the framebuffer has several samples.
-    virtual void begin_read() const {}
-    virtual void end_read() const {}
 
 private:
     void read(int x0, int x1, unsigned format, unsigned type, size_t pixel_bytes, void *out) const;
 
-    int width_, height_;
+    friend std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format,
+                                                     std::string &why_not, int samples);
+
+    int width_, height_, samples_ = 1;
     std::string name_;
 };
 
-// What CLAQUE_CONTEXT names; `any` if it is not set or names nothing.
+// A word of `Kind`, or nothing.
+std::optional<Kind> kind_named(const std::string &word);
+
+// What CLAQUE_CONTEXT names; `any` if it is not set or empty, or another word, which make_offscreen refuses.
 Kind kind_of_environment();
 
 // Makes a context of width x height pixels (1 to 16384 each) with 24 bits of depth and 8 of stencil, and makes it
 // current. Null, and one sentence in why_not, if this machine cannot.
-// `samples` a pixel, 1 or more: EGL alone has contexts with several, and in rgba8888.
+// `samples` a pixel, 1 or more; several in rgba8888 alone, in a framebuffer object that stays bound.
 std::unique_ptr<Offscreen> make_offscreen(Kind kind, int width, int height, PixelFormat format, std::string &why_not,
                                           int samples = 1);
 

@@ -83,7 +83,15 @@ private:
 std::unique_ptr<Offscreen> make_osmesa(int width, int height, PixelFormat format, std::string &why_not)
 {
     if (!osmesa_library().complete) {
-        why_not = "OSMesa: libOSMesa.so.8 is missing (Debian: libosmesa6)";
+        why_not =
+            "OSMesa: libOSMesa.so.8 is missing (libosmesa6 of Debian 12 and 13; EGL serves too: libegl1 and "
+            "libgl1-mesa-dri)";
+        return nullptr;
+    }
+    // Mesa crashes where it cannot make a context for want of its driver.
+    const std::string driver = environment("GALLIUM_DRIVER");
+    if (!driver.empty() && driver != "llvmpipe" && driver != "softpipe") {
+        why_not = "OSMesa: GALLIUM_DRIVER is '" + driver + "', and OSMesa has llvmpipe and softpipe";
         return nullptr;
     }
     auto made = std::make_unique<OsmesaOffscreen>(width, height, format);

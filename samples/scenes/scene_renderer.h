@@ -38,7 +38,7 @@ struct SceneOptions {
     clq_draw_strategy strategy = CLQ_STRATEGY_FUSED;
     bool linear_clean = false;         // clq_renderer_def.linear_clean
     bool smooth_levels = false;        // clq_renderer_def.smooth_levels
-    int multisample = 1;               // samples a pixel of the context (EGL), which people then have too
+    int multisample = 1;               // samples a pixel of the context, which people then have too
     uint64_t close_texture_bytes = 0;  // clq_renderer_def.close_texture_bytes
     float close_distance_m = 0;        // clq_renderer_def.close_distance_m
     // clq_renderer_def.flush_triangles; the environment is then flushed too. None: what is fast with the context.

@@ -17,21 +17,10 @@ protected:
     {
         std::string why;
         context_ =
-            contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why, samples);
-        if (!context_ && is_softpipe()) GTEST_SKIP() << "softpipe has one sample a pixel";
-        if (!context_) END_WITHOUT_CONTEXT(contexts::Kind::egl, why);
+            contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why, samples);
+        if (!context_ && why.find("softpipe") != std::string::npos) GTEST_SKIP() << why;
+        if (!context_) END_WITHOUT_CONTEXT(contexts::Kind::any, why);
         host_ = std::make_unique<HostGl>(*context_);
-    }
-
-    // Whether the GL that EGL has calls itself softpipe, the one of Mesa's rasterisers without such targets.
-    static bool is_softpipe()
-    {
-        std::string why;
-        const auto context = contexts::make_offscreen(contexts::Kind::egl, 8, 8, contexts::PixelFormat::rgba8888, why);
-        if (!context) return false;
-        constexpr gl::Enum renderer = 0x1F01;
-        const auto *name = reinterpret_cast<const char *>(HostGl(*context).GetString(renderer));
-        return name && std::string(name).find("softpipe") != std::string::npos;
     }
 
     Picture picture(bool multisample)
@@ -49,7 +38,7 @@ protected:
     Picture single()
     {
         std::string why;
-        auto other = contexts::make_offscreen(contexts::Kind::egl, width, height, contexts::PixelFormat::rgba8888, why);
+        auto other = contexts::make_offscreen(contexts::Kind::any, width, height, contexts::PixelFormat::rgba8888, why);
         EXPECT_TRUE(other) << why;
         if (!other) return Picture();
         std::swap(context_, other);
@@ -89,6 +78,7 @@ TEST_F(Multisample, SmoothsEdgesAndLeavesPixelsWithinAsTheyAre)
     const Picture plain = single(), smooth = picture(true);
     const size_t edges = mixed(smooth);
     EXPECT_GT(edges, 100u);
+    EXPECT_LT(edges, plain.size() / 3 / 4);
     size_t changed = 0;
     for (size_t i = 0; i < plain.size(); i += 3) changed += !std::equal(&plain[i], &plain[i] + 3, &smooth[i]);
     EXPECT_LT(changed, 2 * edges);

@@ -7,8 +7,8 @@
 
 int main(int argc, char **argv)
 {
-    const std::string kind = argc == 4 ? argv[3] : "any";
-    if (argc < 3 || argc > 4 || (kind != "any" && kind != "osmesa" && kind != "egl")) {
+    const auto kind = contexts::kind_named(argc == 4 ? argv[3] : "any");
+    if (argc < 3 || argc > 4 || !kind || kind == contexts::Kind::glx) {
         std::cerr << "gpu_peer SCENE RESULT [any|osmesa|egl]: the folder of a parity scene, a folder for the result, "
                      "and the kind of OpenGL context\n";
         return 2;
@@ -17,10 +17,7 @@ int main(int argc, char **argv)
         const parity_test::SceneIn scene = parity_test::read_scene(argv[1]);
         std::string why_not;
         const auto context =
-            contexts::make_offscreen(kind == "osmesa" ? contexts::Kind::osmesa
-                                     : kind == "egl"  ? contexts::Kind::egl
-                                                      : contexts::Kind::any,
-                                     scene.width, scene.height, contexts::PixelFormat::rgba8888, why_not);
+            contexts::make_offscreen(*kind, scene.width, scene.height, contexts::PixelFormat::rgba8888, why_not);
         if (!context) {
             std::cerr << "gpu_peer: no OpenGL context: " << why_not << "\n";
             return 77;
