@@ -9,7 +9,6 @@ PICTURES = $(BUILD)/samples/claque-pictures
     test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
     test-guest nightly release test-bits coverage check format clean
-
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
@@ -28,7 +27,7 @@ help:
 	@echo "make bench      figures: the odeon, key-poses, ten thousand, the plaza, the sky, growth, the cost model, skinning, poses"
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
-	@echo "make package    Debian packages into out/packages (make test-package: tries them on a bare Debian 12; needs root)"
+	@echo "make package    Debian packages into out/packages (make test-package: lintian, and a trial on a bare Debian 12 or SUITE; needs root)"
 	@echo "make test-bare  each command of the README on bare Debian systems (SUITES='bookworm trixie forky'; needs root)"
 	@echo "make test-few   the command without its optional parts, each of which names the package that it lacks"
 	@echo "make test-hosts claque in sumo-gui, osgviewer, Coin and VTK on a screen of its own; what is missing is named"
@@ -186,15 +185,19 @@ installed:
 install: installed
 	@cmake --install $(BUILD) --prefix $(or $(PREFIX),/usr/local)
 
-# What each depends on is asked of dpkg-shlibdeps.
+# What each depends on is asked of dpkg-shlibdeps. Times in the packages are those of the last commit.
 package: build
 	@command -v dpkg-shlibdeps > /dev/null || { echo "make package needs dpkg-shlibdeps: apt-get install dpkg-dev" >&2; exit 1; }
 	@mkdir -p out
-	@cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log || { cat out/packages.log; exit 1; }
+	@seconds=$${SOURCE_DATE_EPOCH:-$$(git log -1 --format=%ct 2> /dev/null)}; \
+	    [ -z "$$seconds" ] || export SOURCE_DATE_EPOCH=$$seconds; umask 022; \
+	    cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log 2>&1 || { cat out/packages.log; exit 1; }
 	@ls -l out/packages/*.deb
 
-# What make package makes, on a bare Debian 12.
+# What make package makes: by the rules of Debian, and on a bare Debian 12. SUITE=trixie: of a build on Debian 13.
 test-package: package
+	@if command -v lintian > /dev/null; then lintian --allow-root --fail-on error,warning out/packages/*.deb; \
+	    else echo "skipped: the rules of Debian need lintian"; fi
 	@tests/bare_debian.sh packages out/packages
 
 # The commands of the README on bare Debian systems, held to their times (two idle cores; needs root).

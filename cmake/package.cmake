@@ -2,69 +2,75 @@
 set(soversion ${PROJECT_VERSION_MAJOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME claque)
-set(CPACK_PACKAGE_CONTACT "The claque developers")
-set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Crowds for the fixed-function OpenGL 1.1 target")
+set(CPACK_PACKAGE_CONTACT "The claque developers <developers@claque.invalid>")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
-set(CPACK_COMPONENTS_ALL runtime dev)
-if(CLAQUE_ASSETS)
-    list(APPEND CPACK_COMPONENTS_ALL assets)
-endif()
-if(CLAQUE_STAGE)
-    list(APPEND CPACK_COMPONENTS_ALL stage)
-endif()
-if(CLAQUE_SAMPLES)
-    list(APPEND CPACK_COMPONENTS_ALL command)
-endif()
-if(TARGET claque_people)
-    list(APPEND CPACK_COMPONENTS_ALL people)
-endif()
-if(TARGET claque_mpi)
-    list(APPEND CPACK_COMPONENTS_ALL mpi)
-endif()
-if(TARGET osgdb_claque)
-    list(APPEND CPACK_COMPONENTS_ALL osg)
-endif()
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/papers.cmake)
+set(CPACK_POST_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/trigger.cmake)
+set(CPACK_COMPONENTS_ALL "")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE none)  # the post-build script compresses
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${PROJECT_BINARY_DIR}/lib/api ${PROJECT_BINARY_DIR}/lib/api/assets ${PROJECT_BINARY_DIR}/lib/stage)
 set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
 
-# component, its package, its section, what it is, components it needs
-function(claque_deb component package section summary)
+# component, its package, its section, what it is in a line and in full, components that it needs
+function(claque_deb component package section summary description)
     string(TOUPPER ${component} upper)
+    set(CPACK_COMPONENTS_ALL ${CPACK_COMPONENTS_ALL} ${component} PARENT_SCOPE)
     set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${package} PARENT_SCOPE)
     set(CPACK_DEBIAN_${upper}_PACKAGE_SECTION ${section} PARENT_SCOPE)
-    set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}" PARENT_SCOPE)
+    set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}
+claque draws crowds of animated individuals on fixed-function OpenGL 1.1,
+skinned by the processor, in windows and scenes of other programs.
+
+${description}" PARENT_SCOPE)
     set(CPACK_COMPONENT_${upper}_DEPENDS ${ARGN} PARENT_SCOPE)
-    # The licence goes with every package, and once with `make install`.
-    install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATAROOTDIR}/doc/${package} RENAME copyright COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
-claque_deb(runtime libclaque${soversion} libs "Crowds for the fixed-function OpenGL 1.1 target: run time and splitting")
-claque_deb(assets libclaque-assets${soversion} libs "Crowds for OpenGL 1.1: characters from files, built-in figures" runtime)
-claque_deb(stage libclaque-stage${soversion} libs "Crowds for OpenGL 1.1: people who decide" runtime)
+claque_deb(runtime libclaque${soversion} libs "crowds for OpenGL 1.1: run time and splitting"
+"This is the library that programs draw with. It loads prepared characters,
+and needs no library but those of C and C++.")
 set(libraries runtime)
 if(CLAQUE_ASSETS)
     list(APPEND libraries assets)
+    claque_deb(assets libclaque-assets${soversion} libs "crowds for OpenGL 1.1: characters from files, built-in figures"
+"This is the library that reads glTF, BVH, images, trajectories and walkable
+areas, makes levels of detail, and has people built in." runtime)
 endif()
 if(CLAQUE_STAGE)
     list(APPEND libraries stage)
+    claque_deb(stage libclaque-stage${soversion} libs "crowds for OpenGL 1.1: people who decide"
+"This is the library of agents: state machines, a scheduler, flows, and ways
+that are found." runtime)
 endif()
-claque_deb(dev libclaque-dev libdevel "Crowds for OpenGL 1.1: headers, static libraries, pkg-config and CMake packages" ${libraries})
+claque_deb(dev libclaque-dev libdevel "crowds for OpenGL 1.1: headers and static libraries"
+"These are the headers of the C API, the static libraries, and packages for
+pkg-config and CMake." ${libraries})
+if(CLAQUE_SAMPLES)
+    claque_deb(command claque graphics "crowds for OpenGL 1.1: the command"
+"This is the claque command: it renders scenes and films, shows characters in
+a window, inspects and prepares them, and writes labelled pictures." ${libraries})
+endif()
 if(TARGET claque_people)
-    claque_deb(people claque-people graphics "Crowds for OpenGL 1.1: the built-in characters, prepared")
+    claque_deb(people claque-people graphics "crowds for OpenGL 1.1: prepared characters"
+"These are the built-in characters with levels of detail, as the library would
+make them at the first start.")
     set(CPACK_DEBIAN_PEOPLE_PACKAGE_ARCHITECTURE all)
     set(CPACK_DEBIAN_ASSETS_PACKAGE_RECOMMENDS "claque-people (= ${PROJECT_VERSION})")
 endif()
-claque_deb(command claque graphics "Crowds for OpenGL 1.1: the claque command" ${libraries})
 if(TARGET claque_mpi)
-    claque_deb(mpi claque-mpi graphics "Crowds for OpenGL 1.1: the claque command under mpirun" command)
+    claque_deb(mpi claque-mpi graphics "crowds for OpenGL 1.1: the command under mpirun"
+"With this module the ranks of an MPI job share the frames of a film." command)
 endif()
 if(TARGET osgdb_claque)
-    claque_deb(osg osgdb-claque graphics "Crowds for OpenGL 1.1: plugin of OpenSceneGraph, and so of sumo-gui" ${libraries})
+    claque_deb(osg osgdb-claque graphics "crowds for OpenGL 1.1: plugin of OpenSceneGraph"
+"With this plugin programs of OpenSceneGraph, and so sumo-gui, read .claque
+files as people." ${libraries})
 endif()
 # OpenGL is found at run time; either will do, and what needs none works without.
 set(CPACK_DEBIAN_COMMAND_PACKAGE_RECOMMENDS "libosmesa6 | libegl1, libsdl2-2.0-0")

@@ -1,6 +1,6 @@
 #!/bin/sh
-# bare_debian.sh packages FOLDER   installs the .deb files of FOLDER on a bare Debian 12 and runs the command there,
-#                                  at last with OpenGL.
+# bare_debian.sh packages FOLDER   installs the .deb files of FOLDER on a bare Debian, that of SUITE (bookworm), and
+#                                  runs the command there, at last with OpenGL.
 # bare_debian.sh clone             clones this repository there, runs `make run` and `make test`, and holds both to
 #                                  their times, MAX_RUN_S (180) and MAX_TEST_S (900) seconds once packages are
 #                                  installed, meant for two idle cores.
@@ -21,7 +21,7 @@ source=$(cd "$(dirname "$0")/.." && pwd)
 bare=$(mktemp -d)
 chmod 755 "$bare"
 trap 'rm -rf "$bare"' EXIT
-debootstrap --variant=minbase bookworm "$bare" > "$bare.log" || { tail "$bare.log" >&2; exit 1; }
+debootstrap --variant=minbase "${SUITE:-bookworm}" "$bare" > "$bare.log" || { tail "$bare.log" >&2; exit 1; }
 rm -f "$bare.log"
 cp /etc/resolv.conf "$bare/etc/"
 for file in /etc/apt/apt.conf.d/*proxy*; do [ ! -e "$file" ] || cp "$file" "$bare/etc/apt/apt.conf.d/"; done

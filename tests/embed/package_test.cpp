@@ -57,10 +57,18 @@ TEST(Package, IsFiveThatUnpackedTogetherRun)
     const std::string control = text_of_file(home.path() + "/debs/" + runtime + ".txt");
     EXPECT_EQ(control.find("libopenmesh"), std::string::npos) << control;
 
+    EXPECT_EQ(home.run("dpkg-deb --ctrl-tarfile debs/" + runtime + "_*.deb | tar -t | sort").second,
+              "./\n./control\n./md5sums\n./shlibs\n./triggers\n");
+    EXPECT_EQ(home.run("for deb in debs/*.deb; do doc=root/usr/share/doc/$(dpkg-deb -f $deb Package)\n"
+                       "cmp '" CLAQUE_SOURCE_DIR "/LICENSE' $doc/copyright\n"
+                       "zcat $doc/changelog.gz | dpkg-parsechangelog -l - -S Version; done | sort -u")
+                  .second,
+              CLAQUE_VERSION "\n");
+
     const auto [ran, said] = home.run("LD_LIBRARY_PATH=root/usr/lib root/usr/bin/claque inspect citizen");
     EXPECT_EQ(ran, 0) << said;
     EXPECT_NE(said.find("citizen"), std::string::npos) << said;
-    EXPECT_EQ(home.run("ls root/usr/share/man/man1 root/usr/include/claque/claque.h").first, 0);
+    EXPECT_EQ(home.run("ls root/usr/share/man/man1/claque.1.gz root/usr/include/claque/claque.h").first, 0);
 #ifdef CLAQUE_HAS_WINDOW
     EXPECT_EQ(home.run("ls root/usr/share/applications/claque.desktop").first, 0);
     EXPECT_EQ(home.run("ls root/usr/share/icons/hicolor/256x256/apps/claque.png").first, 0);
