@@ -8,8 +8,7 @@ PICTURES = $(BUILD)/samples/claque-pictures
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
     test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
-    test-guest nightly release test-bits coverage check format clean
-help:
+    test-guest nightly release test-bits test-reproducible help: coverage check format clean
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
@@ -28,6 +27,7 @@ help:
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: lintian, and a trial on a bare Debian 12 or SUITE; needs root)"
+	@echo "make test-reproducible  two builds of the last commit in different folders give the same bytes"
 	@echo "make test-bare  each command of the README on bare Debian systems (SUITES='bookworm trixie forky'; needs root)"
 	@echo "make test-few   the command without its optional parts, each of which names the package that it lacks"
 	@echo "make test-hosts claque in sumo-gui, osgviewer, Coin and VTK on a screen of its own; what is missing is named"
@@ -199,6 +199,9 @@ test-package: package
 	@if command -v lintian > /dev/null; then lintian --allow-root --fail-on error,warning out/packages/*.deb; \
 	    else echo "skipped: the rules of Debian need lintian"; fi
 	@tests/bare_debian.sh packages out/packages
+
+test-reproducible: setup
+	@tests/reproducible.sh build/reproducible $(JOBS)
 
 # The commands of the README on bare Debian systems, held to their times (two idle cores; needs root).
 SUITES ?= bookworm trixie forky

@@ -35,7 +35,7 @@ set -eu
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C
 install() { apt-get install -y -qq --no-install-recommends "$@" > /install.log 2>&1 || { tail /install.log; exit 1; }; }
 apt-get update -qq
-install /packages/libclaque[0-9]*.deb /packages/libclaque-assets*.deb /packages/claque_*.deb
+install /packages/libclaque*[0-9]_*.deb /packages/claque_*.deb
 claque --version
 claque inspect citizen > /citizen.txt
 head -n 3 /citizen.txt

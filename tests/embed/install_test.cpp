@@ -180,4 +180,13 @@ TEST_F(Install, LetsPkgConfigLinkStatically)
               text_of_file(CLAQUE_SOURCE_DIR "/tests/golden/strip_host.txt"));
 }
 
+TEST_F(Install, HasNoLibraryOrCommandThatNamesTheFoldersItWasBuiltIn)
+{
+    if (CLAQUE_BUILD_TYPE != std::string("Release")) GTEST_SKIP() << "assertions and debug information name sources";
+    if (*CLAQUE_CXX_FLAGS) GTEST_SKIP() << "of a build without flags of its own";
+    EXPECT_EQ(printed("grep -laE '" CLAQUE_BUILD_DIR "|" CLAQUE_SOURCE_DIR "/(animcache|include|lib|meshsplit|passes|"
+                      "samples)/' prefix/bin/* $(find prefix/lib -name '*.a' -o -name '*.so*') || true"),
+              "");
+}
+
 }  // namespace
