@@ -8,7 +8,9 @@ PICTURES = $(BUILD)/samples/claque-pictures
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
     test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
-    test-guest nightly release test-bits test-reproducible help: coverage check format clean
+    test-guest nightly release test-bits test-reproducible coverage check format clean
+
+help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"

@@ -241,7 +241,8 @@ void read_colours(std::string_view text, const std::string &name, ColourFile &ou
     if (const uint32_t line = line_of_deep_key(text))
         fail(CLQ_LIMIT, "%s, line %u: a key has more than %u parts", name.c_str(), line, max_key_parts);
     if (const uint32_t line = line_of_stray_letter(text))
-        fail(CLQ_FORMAT, "%s, line %u: a letter outside of strings and comments is not ASCII", name.c_str(), line);
+        fail(CLQ_FORMAT, "%s, line %u: not TOML: a letter outside of strings and comments is not ASCII", name.c_str(),
+             line);
     const toml::parse_result parsed = toml::parse(text);
     Reader reader(name, out);
     if (!parsed) reader.refuse(parsed.error().source(), "not TOML: " + std::string(parsed.error().description()));

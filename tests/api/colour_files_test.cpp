@@ -224,7 +224,7 @@ TEST_F(ColourFiles, FailuresToReadOrWriteAreReported)
     EXPECT_TRUE(mentions("line 2: a key has more than 16 parts")) << clq_last_error();
     const std::string stray = "# \u00DF\n\u00DF = 1\n";
     EXPECT_EQ(clq_colour_map_load(context_, stray.data(), stray.size(), nullptr, &map), CLQ_FORMAT);
-    EXPECT_TRUE(mentions("line 2: a letter outside of strings")) << clq_last_error();
+    EXPECT_TRUE(mentions("line 2: not TOML: a letter outside of strings")) << clq_last_error();
     EXPECT_EQ(clq_colour_map_load(nullptr, "", 0, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(clq_colour_map_load(context_, nullptr, 5, nullptr, &map), CLQ_ARGUMENT);
     EXPECT_EQ(map, nullptr);

@@ -43,8 +43,9 @@ TEST(Theatre, InvalidTomlIsRefusedWithItsLine)
     std::string deep = "name = \"a.dot.in.a.string.does.not.count.a.b.c.d.e.f.g.h.i.j\"\na";
     for (int i = 0; i < 300000; ++i) deep += ".a";
     expect_refused(deep + " = 1\n", {"mine.toml:2:", "a key has more than 16 parts"});
-    expect_refused("name = \"\u00DF\" # \u00DF\n\u00DF = 1\n", {"mine.toml:2:", "a letter outside of strings"});
-    expect_refused("\xEF\xBB\xBFname = 1 \u00DF\n", {"mine.toml:1:", "a letter outside of strings"});
+    expect_refused("name = \"\u00DF\" # \u00DF\n\u00DF = 1\n",
+                   {"mine.toml:2:", "not TOML: a letter outside of strings"});
+    expect_refused("\xEF\xBB\xBFname = 1 \u00DF\n", {"mine.toml:1:", "not TOML: a letter outside of strings"});
     expect_refused("\xEF\xBB\xBFname = \"\u00DF\"\n", {"lacks"});
 }
 

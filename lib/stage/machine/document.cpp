@@ -17,7 +17,8 @@ toml::parse_result parse(std::string_view text, const std::string &name)
     if (const uint32_t line = line_of_deep_key(text))
         fail(CLQ_LIMIT, "%s, line %u: a key has more than %u parts", name.c_str(), line, max_key_parts);
     if (const uint32_t line = line_of_stray_letter(text))
-        fail(CLQ_FORMAT, "%s, line %u: a letter outside of strings and comments is not ASCII", name.c_str(), line);
+        fail(CLQ_FORMAT, "%s, line %u: not TOML: a letter outside of strings and comments is not ASCII", name.c_str(),
+             line);
     return toml::parse(text);
 }
 

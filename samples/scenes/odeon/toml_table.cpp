@@ -52,7 +52,8 @@ toml::table parse_toml(const std::string &toml, const std::string &where)
         throw Failure(where + ":" + std::to_string(line) + ":1: a key has more than " +
                       std::to_string(io::max_key_parts) + " parts");
     if (const uint32_t line = io::line_of_stray_letter(toml))
-        throw Failure(where + ":" + std::to_string(line) + ":1: a letter outside of strings and comments is not ASCII");
+        throw Failure(where + ":" + std::to_string(line) +
+                      ":1: not TOML: a letter outside of strings and comments is not ASCII");
     toml::parse_result result = toml::parse(toml);
     if (!result)
         throw Failure(place_of(where, result.error().source()) +
