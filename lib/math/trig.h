@@ -15,9 +15,9 @@ double atan2(double y, double x);  // in (-pi, pi]; 0 for (0, 0)
 double acos(double x);             // x is clamped to [-1, 1]; error below 1e-15
 double pow(double x, double y);    // relative error below 1e-14 for |y| < 16; 0 for x <= 0
 
-// Rounded from double, which is the nearest float but for one in ten million.
-inline float sin(float x) { return static_cast<float>(sin(double(x))); }
-inline float cos(float x) { return static_cast<float>(cos(double(x))); }
+float sin(float x);  // error below 0.6 units in the last place for |x| < 1e6
+float cos(float x);  // as sin
+// Rounded from double.
 inline float pow(float x, float y) { return static_cast<float>(pow(double(x), double(y))); }
 
 }  // namespace claque::math
