@@ -8,8 +8,7 @@ PICTURES = $(BUILD)/samples/claque-pictures
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
     test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
-    test-guest nightly release test-bits test-reproducible coverage check format clean
-
+    test-guest nightly release test-bits test-reproducible wheel test-wheel coverage check format clean
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
@@ -29,6 +28,7 @@ help:
 	@echo "make check      formatting, warnings as errors, layers, names in the docs"
 	@echo "make install    into PREFIX (default /usr/local), DESTDIR respected"
 	@echo "make package    Debian packages into out/packages (make test-package: lintian, and a trial on a bare Debian 12 or SUITE; needs root)"
+	@echo "make wheel      the Python module, the libraries and the command as one file in out/wheel, on Debian 12 (make test-wheel: tries it on bare Debian 12, 13 and testing; needs root)"
 	@echo "make test-reproducible  two builds of the last commit in different folders give the same bytes"
 	@echo "make test-bare  each command of the README on bare Debian systems (SUITES='bookworm trixie forky'; needs root)"
 	@echo "make test-few   the command without its optional parts, each of which names the package that it lacks"
@@ -204,6 +204,21 @@ test-package: package
 
 test-reproducible: setup
 	@tests/reproducible.sh build/reproducible $(JOBS)
+
+# The wheel's tag promises glibc 2.36 and the libstdc++ of GCC 12, which are those of Debian 12.
+wheel: PRESET = wheel
+wheel:
+	@. /etc/os-release; [ "$$ID$$VERSION_ID-$$(uname -m)" = debian12-x86_64 ] || { echo "make wheel needs Debian 12 on x86-64, as wheels run on systems no older than theirs; this is $$PRETTY_NAME, $$(uname -m)" >&2; exit 1; }
+	@cmake/setup.sh wheel
+	@$(call CONFIGURE)
+	@cmake --build --preset wheel -j $(JOBS) --target claque claque-assets claque-stage claque_cli claque_mpi claque_manual
+	@rm -rf out/wheel
+	@cmake/wheel/make.py $(BUILD) out/wheel
+	@tests/wheel/check.py out/wheel/*.whl
+
+# SUITES="bookworm trixie forky": those tried.
+test-wheel: wheel
+	@tests/wheel/bare.py out/wheel/*.whl
 
 # The commands of the README on bare Debian systems, held to their times (two idle cores; needs root).
 SUITES ?= bookworm trixie forky

@@ -24,6 +24,16 @@ set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 # What is built in another folder has the same bytes.
 set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 
+# Libraries of the system are linked statically where they can be. None of their names is exported, as OpenGL drivers
+# load newer expat and zlib into the same process. A map says which archives went into a file (cmake/wheel/licences.py).
+# A build id would depend on the folder.
+if(CLAQUE_PORTABLE)
+    list(PREPEND CMAKE_FIND_LIBRARY_SUFFIXES .a)
+    set(PKG_CONFIG_ARGN --static)
+    set(pkgcfg_lib_CAIRO_m m CACHE INTERNAL "libm stays the system's")
+    add_link_options(-Wl,--exclude-libs,ALL -Wl,--build-id=none -Wl,-Map,$<TARGET_PROPERTY:NAME>.map)
+endif()
+
 add_library(claque_flags INTERFACE)
 target_compile_options(claque_flags INTERFACE
     -ffp-contract=off -Wall -Wextra -Wpedantic -Wno-psabi

@@ -38,7 +38,11 @@ foreach(decoder "DRACO|draco/compression/decode.h|draco|no glTF compressed with 
     claque_part(${name} lib${library} ${without} CLAQUE_${name}_FOLDER CLAQUE_${name}_LIBRARY)
     if(CLAQUE_HAS_${name})
         list(APPEND CLAQUE_DECODERS ${name})
-        list(APPEND CLAQUE_DECODER_LIBRARIES ${library})
+        if(CLAQUE_PORTABLE)  # a name would find the shared one
+            list(APPEND CLAQUE_DECODER_LIBRARIES ${CLAQUE_${name}_LIBRARY})
+        else()
+            list(APPEND CLAQUE_DECODER_LIBRARIES ${library})
+        endif()
         list(APPEND CLAQUE_DECODER_PACKAGES lib${library}-dev)
     endif()
 endforeach()

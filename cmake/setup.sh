@@ -1,7 +1,7 @@
 #!/bin/sh
 # setup.sh [GROUP]: installs the Debian packages that are missing. Groups: run (the pictures of `make run`), command
-# (the claque command with all of its parts), all (default: tests, benchmarks and hosts too), fuzz and coverage (all,
-# and what these need).
+# (the claque command with all of its parts), all (default: tests, benchmarks and hosts too), fuzz, coverage and wheel
+# (all, and what these need).
 #
 # Each line of `packages` has a group, a package (alternatives with |, the best first) and, for packages that claque can
 # do without, what is left out. A suite that has none of the alternatives is told about in one line. Without root the
@@ -55,6 +55,7 @@ all      python3-pytest        | tests of the Python module
 fuzz     clang                 | fuzzers
 fuzz     libclang-rt-14-dev|libclang-rt-dev | fuzzers
 coverage gcovr
+wheel    patchelf
 '
 
 # Each group has the one before it.
@@ -62,8 +63,8 @@ case $group in
 run) groups=' run ' ;;
 command) groups=' run command ' ;;
 all) groups=' run command all ' ;;
-fuzz | coverage) groups=" run command all $group " ;;
-*) echo "setup.sh: the groups are run, command, all, fuzz and coverage" >&2; exit 2 ;;
+fuzz | coverage | wheel) groups=" run command all $group " ;;
+*) echo "setup.sh: the groups are run, command, all, fuzz, coverage and wheel" >&2; exit 2 ;;
 esac
 
 # Without apt's lists no package is offered; those that claque can do without are then not asked for.

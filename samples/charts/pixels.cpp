@@ -8,6 +8,7 @@
 #include <cairo.h>
 
 #include "samples/charts/drawing.h"
+#include "samples/charts/own_font.h"
 #include "samples/charts/theme.h"
 #include "samples/scenes/check.h"
 
@@ -149,6 +150,7 @@ Pixels read_back(cairo_surface_t *surface)
 
 Pixels pixels_of(const Drawing &drawing, double scale)
 {
+    prefer_own_font();
     const Own<cairo_surface_t> surface(
         cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(std::lround(drawing.width_px * scale)),
                                    static_cast<int>(std::lround(drawing.height_px * scale))));

@@ -1,0 +1,152 @@
+#!/usr/bin/env python3
+"""bare.py FILE.whl: the wheel on bare Debian systems, debootstrap's smallest, with Python, NumPy and an OpenGL.
+
+SUITES (bookworm trixie forky) are those tried: with EGL, then, where the suite has it, with OSMesa and no EGL. Labels
+and records are equal on all; pixels are equal up to Mesa 25, and later ones within OTHER_PIXELS. It fails beyond
+MAX_PICTURE_S (2) to the first picture, MAX_ARRAYS_S (2) to the arrays, MAX_VERSION_S (0.1) for --version, meant for
+two idle cores. Needs root, debootstrap and Debian's archive."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCENARIOS = HERE.parents[1] / "samples/scenarios"
+PACKAGES = "python3 python3-venv python3-numpy libgl1-mesa-dri"
+LIMITS = {"first picture": ("MAX_PICTURE_S", 2), "three lines of Python": ("MAX_ARRAYS_S", 2),
+          "version": ("MAX_VERSION_S", 0.1)}
+# Of Mesa 26 beside Mesa 22: at most this share of pixels differs, by at most so much in a channel.
+OTHER_PIXELS = (0.01, 2)
+INSTALL = """set -e
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends {packages}
+id tester > /dev/null 2>&1 || useradd --create-home tester
+"""
+WITHOUT_EGL = """set -e
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C
+apt-get install -y -qq --no-install-recommends libosmesa6
+dpkg --purge --force-depends libegl1 libegl-mesa0
+"""
+TRY = """set -e
+cd /home/tester
+export HOME=/home/tester LC_ALL=C.UTF-8
+setpriv --reuid=tester --regid=tester --clear-groups sh -ec '
+    mkdir {name}; cd {name}; exec python3 /try/try.py /try/*.whl /try/scenarios'
+"""
+VERSION = "dpkg-query -W -f '${Version}' "
+
+
+class Root:
+    """A bare system in a folder that goes with it."""
+
+    def __init__(self, suite, folder):
+        self.suite, self.folder = suite, pathlib.Path(folder)
+        scripts = pathlib.Path("/usr/share/debootstrap/scripts")
+        # Scripts of all suites since 2008 are that of sid.
+        script = [] if (scripts / suite).exists() else ["http://deb.debian.org/debian", scripts / "sid"]
+        subprocess.run(["debootstrap", "--variant=minbase", suite, folder, *script], check=True, stdout=sys.stderr)
+        self.folder.chmod(0o755)
+        shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
+        for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*proxy*"):
+            shutil.copy(file, self.folder / "etc/apt/apt.conf.d")
+
+    def run(self, script):
+        """What the script writes. Mounts end with the namespace."""
+        mounted = 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec chroot "$0" sh -c "$1"'
+        done = subprocess.run(["unshare", "-m", "sh", "-c", mounted, self.folder, script], stdout=subprocess.PIPE,
+                              text=True)
+        if done.returncode:
+            raise SystemExit(f"{self.suite}: {script.strip().splitlines()[-1]} failed: {done.stdout[-2000:]}")
+        return done.stdout
+
+    def has(self, package):
+        return bool(self.run(f"apt-cache policy {package}").strip())
+
+
+def tried(root, name):
+    result = json.loads(root.run(TRY.format(name=name)).splitlines()[-1])
+    result["name"] = f"{root.suite}, {name}"
+    result["mesa"] = root.run(VERSION + "libgl1-mesa-dri").split("-")[0]
+    result["python"] = root.run(VERSION + "python3-minimal").split("-")[0]
+    rgb = root.folder / f"home/tester/{name}/rgb"
+    result["rgb"] = rgb.read_bytes() if rgb.exists() else b""
+    print(f"{result['name']}: tried", file=sys.stderr)
+    return result
+
+
+def tried_in(suite, wheel):
+    with tempfile.TemporaryDirectory() as folder:
+        root = Root(suite, folder)
+        (root.folder / "try").mkdir()
+        shutil.copy(wheel, root.folder / "try")
+        shutil.copy(HERE / "try.py", root.folder / "try")
+        shutil.copytree(SCENARIOS, root.folder / "try/scenarios")
+        root.run(INSTALL.format(packages=f"{PACKAGES} libegl1"))
+        yield tried(root, "egl")
+        if root.has("libosmesa6"):
+            root.run(WITHOUT_EGL)
+            yield tried(root, "osmesa")
+        else:
+            print(f"{suite} has no libosmesa6, so claque is tried there with EGL alone")
+
+
+def differing(a, b):
+    """The share of pixels that differ, and the largest difference of a channel."""
+    if len(a) != len(b) or not a:
+        return 1, 255
+    worst, pixels = 0, 0
+    for at in range(0, len(a), 3):
+        if a[at:at + 3] != b[at:at + 3]:
+            pixels += 1
+            worst = max(worst, *(abs(x - y) for x, y in zip(a[at:at + 3], b[at:at + 3])))
+    return 3 * pixels / len(a), worst
+
+
+def faults_of(results):
+    first = results[0]
+    for result in results:
+        yield from (f"{result['name']}: {fault}" for fault in result["faults"])
+        later = int(result["mesa"].split(".")[0]) > 25
+        for name in sorted(first["hashes"].keys() | result["hashes"].keys()):
+            if result["hashes"].get(name) != first["hashes"].get(name) and not (later and name.startswith("pixels")):
+                yield f"{result['name']}: {name} differ from those of {first['name']}"
+        share, worst = differing(first["rgb"], result["rgb"])
+        print(f"{result['name']}: {share:.2%} of the odeon's pixels differ from {first['name']}, by at most {worst}")
+        if share > OTHER_PIXELS[0] or worst > OTHER_PIXELS[1]:
+            yield f"{result['name']}: more pixels differ than Mesa {result['mesa']} is known for"
+        for name, (variable, limit) in LIMITS.items():
+            limit = float(os.environ.get(variable, limit))
+            if result["seconds"].get(name, [0])[0] > limit:
+                yield f"{result['name']}: {name} took {result['seconds'][name][0]:.2f} s, more than {limit:g}"
+
+
+def table(results):
+    """Seconds by the clock, and in brackets those of processors."""
+    rows = [[""] + [result["name"] for result in results]]
+    rows += [[kind] + [result[kind] for result in results] for kind in ("mesa", "python")]
+    for name in dict.fromkeys(name for result in results for name in result["seconds"]):
+        times = [result["seconds"].get(name) for result in results]
+        rows.append([name] + [f"{one[0]:.2f} ({one[1]:.2f})" if one else "-" for one in times])
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip() for row in rows)
+
+
+def main():
+    missing = [name for name in ("debootstrap", "unshare", "chroot") if not shutil.which(name)]
+    if missing or os.geteuid():
+        sys.exit(f"{sys.argv[0]} needs root and {', '.join(missing) or 'no more'}")
+    suites = os.environ.get("SUITES", "bookworm trixie forky").split()
+    results = [result for suite in suites for result in tried_in(suite, sys.argv[1])]
+    faults = list(faults_of(results))
+    print(table(results))
+    print("\n".join(faults) or f"the wheel works on {', '.join(result['name'] for result in results)}")
+    sys.exit(bool(faults))
+
+
+if __name__ == "__main__":
+    main()
