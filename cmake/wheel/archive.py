@@ -8,16 +8,14 @@ import time
 import zipfile
 
 
-def write(path, text, mode=0o644):
+def write(path, text):
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text(text)
-    path.chmod(mode)
 
 
 def copy(source, path):
     path.parent.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(source, path)
-    path.chmod(0o755 if source.stat().st_mode & 0o100 and path.parent.name == "bin" else 0o644)
 
 
 def _row(name, data):
@@ -37,7 +35,7 @@ def pack(tree, about, wheel, seconds):
     with zipfile.ZipFile(part, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
         for path in files + [record]:
             entry = zipfile.ZipInfo(path.relative_to(tree).as_posix(), when)
-            entry.external_attr = (0o100000 | (path.stat().st_mode & 0o777)) << 16
+            entry.external_attr = (0o100755 if path.parent.name in ("bin", "scripts") else 0o100644) << 16
             entry.create_system = 3  # whose modes pip reads
             entry.compress_type = zipfile.ZIP_DEFLATED
             packed.writestr(entry, path.read_bytes(), compresslevel=9)

@@ -48,7 +48,6 @@ def complete(folder):
             added[name] = pathlib.Path(found.stdout.strip()).resolve(strict=True)
             files.append(folder / "lib" / name)
             shutil.copyfile(added[name], files[-1])
-            files[-1].chmod(0o644)
     for path in files:
         # patchelf 0.14 writes a wrong path where one call does two things, and strip breaks a patched file.
         subprocess.run(["strip", "--strip-unneeded", path], check=True)

@@ -87,7 +87,7 @@ def make(build, out):
     with tempfile.TemporaryDirectory() as folder:
         tree = pathlib.Path(folder)
         packages = package(build, tree / "claque")
-        archive.write(tree / f"{name}.data/scripts/claque", SCRIPT, mode=0o755)
+        archive.write(tree / f"{name}.data/scripts/claque", SCRIPT)
         about = tree / f"{name}.dist-info"
         archive.write(about / "METADATA", metadata(project))
         archive.write(about / "WHEEL", f"Wheel-Version: 1.0\nGenerator: claque\nRoot-Is-Purelib: false\nTag: {TAG}\n")
