@@ -211,7 +211,7 @@ wheel:
 	@. /etc/os-release; [ "$$ID$$VERSION_ID-$$(uname -m)" = debian12-x86_64 ] || { echo "make wheel needs Debian 12 on x86-64, as wheels run on systems no older than theirs; this is $$PRETTY_NAME, $$(uname -m)" >&2; exit 1; }
 	@cmake/setup.sh wheel
 	@$(call CONFIGURE)
-	@cmake --build --preset wheel -j $(JOBS) --target claque claque-assets claque-stage claque_cli claque_mpi claque_manual
+	@cmake --build --preset wheel -j $(JOBS) --target claque claque-assets claque-stage claque_cli claque_mpi claque_manual claque_people
 	@rm -rf out/wheel
 	@cmake/wheel/make.py $(BUILD) out/wheel
 	@tests/wheel/check.py out/wheel/*.whl

@@ -20,7 +20,7 @@ import licences
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 TAG = "py3-none-manylinux_2_36_x86_64"
 # Of cmake/install.cmake. The wheel has the module from its sources, and no manual, as pip installs none.
-COMPONENTS = ("runtime", "assets", "stage", "command", "mpi")
+COMPONENTS = ("runtime", "assets", "people", "stage", "command", "mpi")
 FONTS = [pathlib.Path("/usr/share/fonts/truetype/dejavu") / name for name in ("DejaVuSans.ttf", "DejaVuSans-Bold.ttf")]
 # The package's folder is found on Python's path, not imported: that would load NumPy first.
 SCRIPT = """#!python

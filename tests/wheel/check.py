@@ -68,6 +68,7 @@ def check_names(wheel, name, info):
     for line in ("Name: claque", f"Version: {version}", "Requires-Dist: numpy"):
         demand(line in about.splitlines(), f"METADATA does not say {line}")
     demand(f"Tag: {python}-{abi}-{system}" in wheel.read(f"{info}/WHEEL").decode(), "WHEEL has another tag")
+    demand(any(re.fullmatch(r"claque/share/claque/people/.*\.clq", file) for file in names), "there are no people")
     people = sum(entry.compress_size for entry in wheel.infolist() if "/people/" in entry.filename)
     size = sum(entry.compress_size for entry in wheel.infolist()) - people
     demand(size <= MAX_BYTES, f"{size} bytes without prepared people are more than {MAX_BYTES:.0f}")
