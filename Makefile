@@ -9,6 +9,7 @@ PICTURES = $(BUILD)/samples/claque-pictures
     test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
     test-guest nightly release test-bits test-reproducible wheel test-wheel coverage check format clean
+
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"

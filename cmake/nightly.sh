@@ -7,7 +7,7 @@ jobs=$1
 shift
 steps='test-asan test-scalar test-threads test-bits fuzz faults test-mutants soak coverage check
 test-gl test-webgl test-hosts test-guest test-machines
-test-bare test-few test-package test-reproducible'
+test-bare test-few test-package test-wheel test-reproducible'
 [ $# -gt 0 ] || set -- $steps
 limit_s=${LIMIT_S:-10800}
 out=out/nightly
