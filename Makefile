@@ -201,7 +201,7 @@ package: build
 test-package: package
 	@if command -v lintian > /dev/null; then lintian --allow-root --fail-on error,warning out/packages/*.deb; \
 	    else echo "skipped: the rules of Debian need lintian"; fi
-	@tests/bare_debian.sh packages out/packages
+	@tests/bare/packages.sh out/packages
 
 test-reproducible: setup
 	@tests/reproducible.sh build/reproducible $(JOBS)
