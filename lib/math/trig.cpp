@@ -60,7 +60,7 @@ double of_quarter(const Reduced &r, int64_t quarters)
 }
 
 // Sine of `angle` and of so many quarter turns more, as a float. The polynomials are the least wrong ones of their
-// degree within a quarter turn, from ARM's optimized routines (sincosf.h, MIT), which glibc has taken over.
+// degree within a quarter turn, from ARM's optimized routines (MIT), which glibc has taken over.
 float of_quarter(float angle, int64_t more)
 {
     const double x = static_cast<double>(angle);

@@ -26,7 +26,7 @@ std::string environment(const Scratch &home)
            "export CMAKE_C_COMPILER_LAUNCHER='" + here + "reuse.sh' CMAKE_CXX_COMPILER_LAUNCHER='" + here +
            "reuse.sh'\n" + "unset MAKEFLAGS MAKELEVEL MFLAGS DESTDIR\n" +
            "make() { command make --no-print-directory -C '" + source + "' -o installed BUILD='" + build +
-           "' \"$@\"; }\n" + "cc() { command cc $CFLAGS \"$@\"; }\n" + "apt-get() { :; }\n";
+           "' \"$@\"; }\n" + "cc() { command cc $CFLAGS \"$@\"; }\n" + "alias apt-get=:\n";
 }
 
 class Readme : public testing::Test
