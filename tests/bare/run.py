@@ -17,6 +17,8 @@ import sys
 import tempfile
 import time
 
+from system import Bare, Failed, lacking
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LIMITS_S = {"make run": float(os.environ.get("MAX_RUN_S", 180)), "make test": float(os.environ.get("MAX_TEST_S", 900))}
 GROUPS = {"make run": "run", "make command": "command", "make test": "all"}  # of cmake/setup.sh
@@ -32,63 +34,6 @@ sleep 12
 cp /screen/Xvfb_screen0 /screen.xwd
 wait $! || [ $? = 124 ]
 """
-
-
-class Failed(Exception):
-    pass
-
-
-class Bare:
-    """A bare system in a folder. Commands run there as root, with no variables of this one."""
-
-    def __init__(self, suite, root, logs):
-        self.suite, self.root, self.logs = suite, root, logs
-
-    @classmethod
-    def fetch(cls, suite, root, logs):
-        scripts = pathlib.Path("/usr/share/debootstrap/scripts")
-        script = [] if (scripts / suite).exists() else ["", str(scripts / "sid")]  # suites younger than debootstrap
-        with open(logs / "debootstrap.log", "w") as log:
-            command = ["debootstrap", "--variant=minbase", suite, str(root), *script]
-            if subprocess.run(command, stdout=log, stderr=log).returncode != 0:
-                raise Failed(f"debootstrap could not fetch it: see {log.name}")
-        shutil.copy("/etc/resolv.conf", root / "etc")
-        for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*proxy*"):
-            shutil.copy(file, root / "etc/apt/apt.conf.d")
-        return cls(suite, root, logs)
-
-    def copy(self, name):
-        other = self.root.with_name(f"{self.root.name}-{name}")
-        subprocess.run(["cp", "-a", "--reflink=auto", self.root, other], check=True)
-        return Bare(self.suite, other, self.logs)
-
-    def remove(self):
-        shutil.rmtree(self.root, ignore_errors=True)
-
-    def run(self, script, log, folder="/claque"):
-        """Runs a script; returns its seconds. Mounts end with the namespace."""
-        mounts = 'mount -t proc proc "$0/proc" && mount -t sysfs sys "$0/sys" && mount --rbind /dev "$0/dev"'
-        enter = f'{mounts} && exec chroot "$0" env -i "$@"'
-        variables = ["PATH=/usr/sbin:/usr/bin:/sbin:/bin", "HOME=/root", "LC_ALL=C", "DEBIAN_FRONTEND=noninteractive"]
-        inside = ["sh", "-ec", f"cd {folder}\n{script}"]
-        command = ["unshare", "-m", "sh", "-c", enter, str(self.root), *variables, *inside]
-        begun = time.monotonic()
-        with open(self.logs / f"{log}.log", "w") as out:
-            code = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=out, stderr=out).returncode
-        seconds = time.monotonic() - begun
-        if code != 0:
-            text = (self.logs / f"{log}.log").read_text(errors="replace")
-            raise Failed(f"'{script.strip().splitlines()[0]}' ended with {code}: {text.strip()[-600:]}")
-        return seconds
-
-    def says(self, command):
-        self.run(command, "says")
-        return (self.logs / "says.log").read_text().strip()
-
-    def write(self, path, text):
-        target = self.root / path.lstrip("/")
-        target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(text)
 
 
 def blocks_of(page):
@@ -110,39 +55,47 @@ def colours_of(screen):
     return len({screen[i : i + 4] for i in range(begin, len(screen) - 3, 4)})
 
 
-def timed(bare, command, number):
+def seconds_of(bare, script, log):
+    begun = time.monotonic()
+    bare.run(script, "/claque", log)
+    return time.monotonic() - begun
+
+
+def timed(bare, command, logs):
     """Seconds of a command of the README, once the packages that it would install are there."""
+    log = logs / f"{command.replace(' ', '-')}.log"
     if command in GROUPS:
-        bare.run(f"cmake/setup.sh {GROUPS[command]}", f"{number}-packages")
-    seconds = bare.run(command, f"{number}-{re.sub('[^a-z]+', '-', command.lower())[:24]}")
+        bare.run(f"cmake/setup.sh {GROUPS[command]}", "/claque", log.with_suffix(".packages.log"))
+    seconds = seconds_of(bare, command, log)
     if seconds > LIMITS_S.get(command, seconds):
         raise Failed(f"'{command}' took {seconds:.0f} s, more than {LIMITS_S[command]:.0f}")
     return seconds
 
 
-def try_window(bare, blocks, steps):
+def try_window(bare, blocks, steps, logs):
     for _, file, language, text in blocks:
-        if language == "c":
-            bare.write(f"/claque/{file}", text)  # the folder of the sources serves as that of the program
+        if language == "c":  # the folder of the sources serves as that of the program
+            (bare.root / "claque" / file).write_text(text)
         else:
-            steps["window.c"] = bare.run(text, "window")
-    bare.run(SHOW, "window-shown")
+            steps["window.c"] = seconds_of(bare, text, logs / "window.log")
+    bare.run(SHOW, "/claque", logs / "window-shown.log")
     colours = colours_of((bare.root / "screen.xwd").read_bytes())
     if colours < 100:
         raise Failed(f"the window of the README shows {colours} colours, which is no crowd")
 
 
-def try_commands(bare, blocks, steps):
+def try_commands(bare, blocks, steps, logs):
     for _, _, _, text in blocks:
         for line in re.sub(r"\\\n", " ", text).splitlines():
             words = line.split()
-            name = " ".join(words[:2]) if words[0] == "make" else "claque " + words[1]
-            if name in GROUPS:
-                steps[name] = timed(bare, name, "walk")
+            if line in GROUPS:
+                steps[line] = timed(bare, line, logs)
             else:
-                steps[name] = steps.get(name, 0) + bare.run(line, f"walk-{words[1]}")
+                name = f"claque {words[1]}"
+                seconds = seconds_of(bare, line, logs / f"{name.replace(' ', '-')}.log")
+                steps[name] = steps.get(name, 0) + seconds
     for picture in bare.root.glob("claque/*.png"):
-        shutil.copy(picture, bare.logs)
+        shutil.copy(picture, logs)
 
 
 def tests_of(log):
@@ -159,28 +112,27 @@ def tests_of(log):
 
 
 def try_suite(suite, root, logs, row):
-    bare = Bare.fetch(suite, root, logs)
+    bare = Bare.fetch(suite, root, logs / "debootstrap.log")
     blocks = blocks_of((SOURCE / "README.md").read_text())
     first = next(text for section, _, _, text in blocks if section == "Two commands")
     install, make_run, make_test = (re.sub(r"\s*#.*", "", line) for line in first.splitlines())
     steps = row["steps"]
-    bare.run(install, "0-install", folder="/")
+    bare.run(install, log=logs / "install.log")
     subprocess.run(["git", "clone", "-q", str(SOURCE), str(root / "claque")], check=True)
-    steps[make_run] = timed(bare, make_run, 1)
+    steps[make_run] = timed(bare, make_run, logs)
     for picture in (root / "claque/out").glob("*.png"):
         shutil.copy(picture, logs)
-    row["compiler"] = bare.says("c++ -dumpfullversion")
-    row["cmake"] = bare.says("cmake --version | sed -n '1s/[^0-9]*//p'")
-    row["mesa"] = bare.says("dpkg-query -W -f '${Version}' libgl1-mesa-dri | sed 's/-.*//'")
-    others = [("A crowd in your own window", try_window), ("People who walk and decide", try_commands)]
-    for section, attempt in others:
+    row["compiler"] = bare.run("c++ -dumpfullversion").strip()
+    row["cmake"] = bare.run("cmake --version | sed -n '1s/[^0-9]*//p'").strip()
+    row["mesa"] = bare.run("dpkg-query -W -f '${Version}' libgl1-mesa-dri | sed 's/-.*//'").strip()
+    for section, attempt in [("A crowd in your own window", try_window), ("People who walk and decide", try_commands)]:
         copy = bare.copy(section.split()[-1])
         try:
-            attempt(copy, [block for block in blocks if block[0] == section], steps)
+            attempt(copy, [block for block in blocks if block[0] == section], steps, logs)
         finally:
             copy.remove()
-    steps[make_test] = timed(bare, make_test, 2)
-    log = (logs / f"2-{make_test.replace(' ', '-')}.log").read_text(errors="replace")
+    steps[make_test] = timed(bare, make_test, logs)
+    log = (logs / f"{make_test.replace(' ', '-')}.log").read_text(errors="replace")
     row["passed"], row["failed"], row["skipped"] = tests_of(log)
 
 
@@ -206,9 +158,8 @@ def main():
     suites = sys.argv[1:]
     if not suites:
         sys.exit(__doc__)
-    absent = [name for name in ("debootstrap", "unshare", "chroot", "git") if not shutil.which(name)]
-    if absent or os.geteuid() != 0:
-        sys.exit(f"test-bare needs {'root' if not absent else ' '.join(absent)}")
+    if lacking():
+        sys.exit(f"test-bare needs {' '.join(lacking())}")
     rows = {}
     for suite in suites:
         row = rows[suite] = {"steps": {}}

@@ -10,27 +10,25 @@ import json
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "bare"))
+
+from system import Bare, Failed, lacking  # noqa: E402
+
 SCENARIOS = HERE.parents[1] / "samples/scenarios"
 PACKAGES = "python3 python3-venv python3-numpy libgl1-mesa-dri"
 LIMITS = {"first picture": ("MAX_PICTURE_S", 2), "three lines of Python": ("MAX_ARRAYS_S", 2),
           "version": ("MAX_VERSION_S", 0.1)}
 # Of Mesa 26 beside Mesa 22: at most this share of pixels differs, by at most so much in a channel.
 OTHER_PIXELS = (0.005, 2)
-# A mirror of testing may be older than its list is valid for.
-INSTALL = """set -e
-export DEBIAN_FRONTEND=noninteractive LC_ALL=C
-apt-get update -qq -o Acquire::Check-Valid-Until=false
+INSTALL = """apt-get update -qq
 apt-get install -y -qq --no-install-recommends {packages}
 id tester > /dev/null 2>&1 || useradd --create-home tester
 """
-WITHOUT_EGL = """set -e
-export DEBIAN_FRONTEND=noninteractive LC_ALL=C
-apt-get install -y -qq --no-install-recommends libosmesa6
+WITHOUT_EGL = """apt-get install -y -qq --no-install-recommends libosmesa6
 dpkg --purge --force-depends libegl1 libegl-mesa0
 ! ldconfig -p | grep libEGL
 """
@@ -43,39 +41,12 @@ setpriv --reuid=tester --regid=tester --clear-groups sh -ec '
 VERSION = "dpkg-query -W -f '${Version}' "
 
 
-class Root:
-    """A bare system in a folder that goes with it."""
-
-    def __init__(self, suite, folder):
-        self.suite, self.folder = suite, pathlib.Path(folder)
-        scripts = pathlib.Path("/usr/share/debootstrap/scripts")
-        # Scripts of all suites since 2008 are that of sid.
-        script = [] if (scripts / suite).exists() else ["http://deb.debian.org/debian", scripts / "sid"]
-        subprocess.run(["debootstrap", "--variant=minbase", suite, folder, *script], check=True, stdout=sys.stderr)
-        self.folder.chmod(0o755)
-        shutil.copy("/etc/resolv.conf", self.folder / "etc/resolv.conf")
-        for file in pathlib.Path("/etc/apt/apt.conf.d").glob("*proxy*"):
-            shutil.copy(file, self.folder / "etc/apt/apt.conf.d")
-
-    def run(self, script):
-        """What the script writes. Mounts end with the namespace."""
-        mounted = 'mount -t proc proc "$0/proc" && mount --rbind /dev "$0/dev" && exec chroot "$0" sh -c "$1"'
-        done = subprocess.run(["unshare", "-m", "sh", "-c", mounted, self.folder, script], stdout=subprocess.PIPE,
-                              text=True)
-        if done.returncode:
-            raise RuntimeError(f"{self.suite}: {script.strip().splitlines()[-1]} failed: {done.stdout[-2000:]}")
-        return done.stdout
-
-    def has(self, package):
-        return bool(self.run(f"apt-cache policy {package}").strip())
-
-
 def tried(root, name):
     result = json.loads(root.run(TRY.format(name=name)).splitlines()[-1])
     result["name"] = f"{root.suite}, {name}"
     result["mesa"] = root.run(VERSION + "libgl1-mesa-dri").split("-")[0]
     result["python"] = root.run(VERSION + "python3-minimal").split("-")[0]
-    rgb = root.folder / f"home/tester/{name}/rgb"
+    rgb = root.root / f"home/tester/{name}/rgb"
     result["rgb"] = rgb.read_bytes() if rgb.exists() else b""
     print(f"{result['name']}: tried", file=sys.stderr)
     return result
@@ -84,14 +55,14 @@ def tried(root, name):
 def tried_in(suite, wheel):
     """One result, or two; they are there even if what follows fails."""
     with tempfile.TemporaryDirectory() as folder:
-        root = Root(suite, folder)
-        (root.folder / "try").mkdir()
-        shutil.copy(wheel, root.folder / "try")
-        shutil.copy(HERE / "try.py", root.folder / "try")
-        shutil.copytree(SCENARIOS, root.folder / "try/scenarios")
+        root = Bare.fetch(suite, f"{folder}/{suite}", f"{folder}/{suite}.log")
+        (root.root / "try").mkdir()
+        shutil.copy(wheel, root.root / "try")
+        shutil.copy(HERE / "try.py", root.root / "try")
+        shutil.copytree(SCENARIOS, root.root / "try/scenarios")
         root.run(INSTALL.format(packages=f"{PACKAGES} libegl1"))
         yield tried(root, "egl")
-        if root.has("libosmesa6"):
+        if root.run("apt-cache policy libosmesa6").strip():
             root.run(WITHOUT_EGL)
             yield tried(root, "osmesa")
         else:
@@ -140,15 +111,14 @@ def table(results):
 
 
 def main():
-    missing = [name for name in ("debootstrap", "unshare", "chroot") if not shutil.which(name)]
-    if missing or os.geteuid():
-        sys.exit(f"{sys.argv[0]} needs root and {', '.join(missing) or 'no more'}")
+    if lacking():
+        sys.exit(f"{sys.argv[0]} needs {' '.join(lacking())}")
     suites = os.environ.get("SUITES", "bookworm trixie forky").split()
     results, faults = [], []
     for suite in suites:
         try:
             results.extend(tried_in(suite, sys.argv[1]))
-        except (RuntimeError, subprocess.CalledProcessError) as error:
+        except Failed as error:
             faults.append(f"{suite} could not be tried: {error}")
     faults += faults_of(results) if results else ["nothing was tried"]
     print(table(results))
