@@ -36,10 +36,11 @@ VncClient::VncClient(int port, const std::string &password) : password_(password
 VncClient::~VncClient()
 {
     if (!client_) return;
-    // The library leaves these to its hosts.
-    std::free(client_->frameBuffer);
-    std::free(client_->rcSource);
-    std::free(client_->rcMask);
+    // The library leaves these to its hosts, up to 0.9.14.
+    for (uint8_t **left : {&client_->frameBuffer, &client_->rcSource, &client_->rcMask}) {
+        std::free(*left);
+        *left = nullptr;
+    }
     rfbClientCleanup(client_);
 }
 
