@@ -33,6 +33,9 @@
     FUNCTION(void, TexImage2D, (unsigned a, int b, int c, int d, int e, int f, unsigned g, unsigned h, const void *i), \
              (a, b, c, d, e, f, g, h, i))                                                                              \
     FUNCTION(void, TexParameteri, (unsigned a, unsigned b, int c), (a, b, c))                                          \
+    FUNCTION(void, TexSubImage2D,                                                                                      \
+             (unsigned a, int b, int c, int d, int e, int f, unsigned g, unsigned h, const void *i),                   \
+             (a, b, c, d, e, f, g, h, i))                                                                              \
     FUNCTION(void, VertexPointer, (int a, unsigned b, int c, const void *d), (a, b, c, d))                             \
     FUNCTION(void, Viewport, (int a, int b, int c, int d), (a, b, c, d))
 

@@ -15,25 +15,53 @@ namespace
 
 constexpr float letter_px = 13;  // of ImGui's own font, which is drawn for this size and its multiples
 
+constexpr struct {
+    ImGuiKey theirs;
+    int ours;
+} keys[] = {{ImGuiKey_Tab, key::tab},
+            {ImGuiKey_LeftArrow, key::left},
+            {ImGuiKey_RightArrow, key::right},
+            {ImGuiKey_UpArrow, key::up},
+            {ImGuiKey_DownArrow, key::down},
+            {ImGuiKey_PageUp, key::page_up},
+            {ImGuiKey_PageDown, key::page_down},
+            {ImGuiKey_Home, key::home},
+            {ImGuiKey_End, key::end},
+            {ImGuiKey_Delete, key::del},
+            {ImGuiKey_Backspace, key::backspace},
+            {ImGuiKey_Space, key::space},
+            {ImGuiKey_Enter, key::enter},
+            {ImGuiKey_Escape, key::escape},
+            {ImGuiKey_A, 'A'},
+            {ImGuiKey_C, 'C'},
+            {ImGuiKey_V, 'V'},
+            {ImGuiKey_X, 'X'},
+            {ImGuiKey_Y, 'Y'},
+            {ImGuiKey_Z, 'Z'}};
+
+// Dear ImGui took an array of keys up to 1.91.4, and takes events since 1.87.
+#if IMGUI_VERSION_NUM < 19150
 void set_keys(ImGuiIO &io)
 {
-    io.KeyMap[ImGuiKey_Tab] = key::tab;
-    io.KeyMap[ImGuiKey_LeftArrow] = key::left;
-    io.KeyMap[ImGuiKey_RightArrow] = key::right;
-    io.KeyMap[ImGuiKey_UpArrow] = key::up;
-    io.KeyMap[ImGuiKey_DownArrow] = key::down;
-    io.KeyMap[ImGuiKey_PageUp] = key::page_up;
-    io.KeyMap[ImGuiKey_PageDown] = key::page_down;
-    io.KeyMap[ImGuiKey_Home] = key::home;
-    io.KeyMap[ImGuiKey_End] = key::end;
-    io.KeyMap[ImGuiKey_Delete] = key::del;
-    io.KeyMap[ImGuiKey_Backspace] = key::backspace;
-    io.KeyMap[ImGuiKey_Space] = key::space;
-    io.KeyMap[ImGuiKey_Enter] = key::enter;
-    io.KeyMap[ImGuiKey_Escape] = key::escape;
-    io.KeyMap[ImGuiKey_A] = 'A', io.KeyMap[ImGuiKey_C] = 'C', io.KeyMap[ImGuiKey_V] = 'V';
-    io.KeyMap[ImGuiKey_X] = 'X', io.KeyMap[ImGuiKey_Y] = 'Y', io.KeyMap[ImGuiKey_Z] = 'Z';
+    for (const auto &key : keys) io.KeyMap[key.theirs] = key.ours;
 }
+
+void put_keys(ImGuiIO &io, const Input &input)
+{
+    for (int k = 0; k < key::count; ++k) io.KeysDown[k] = input.keys[static_cast<size_t>(k)];
+    io.KeyShift = input.shift;
+    io.KeyCtrl = input.control;
+}
+#else
+void set_keys(ImGuiIO &io) { io.ConfigInputTrickleEventQueue = false; }  // all keys of a frame count in it
+
+void put_keys(ImGuiIO &io, const Input &input)
+{
+    io.AddKeyEvent(ImGuiMod_Shift, input.shift);
+    io.AddKeyEvent(ImGuiMod_Ctrl, input.control);
+    for (const auto &key : keys) io.AddKeyEvent(key.theirs, input.keys[static_cast<size_t>(key.ours)]);
+}
+#endif
 
 void set_style(float scale)
 {
@@ -87,9 +115,7 @@ void Ui::begin(const Input &input)
     io.MousePos = ImVec2(input.mouse_x, input.mouse_y);
     for (int k = 0; k < button_count; ++k) io.MouseDown[k] = input.buttons[k];
     io.MouseWheel = input.wheel;
-    for (int k = 0; k < key::count; ++k) io.KeysDown[k] = input.keys[static_cast<size_t>(k)];
-    io.KeyShift = input.shift;
-    io.KeyCtrl = input.control;
+    put_keys(io, input);
     io.AddInputCharactersUTF8(input.text.c_str());
     ImGui_ImplOpenGL2_NewFrame();
     ImGui::NewFrame();

@@ -30,8 +30,8 @@ bool Ui::picture(const char *name, const uint8_t *rgba, int side_px, uint64_t nu
         uploaded = {put_picture(uploaded.texture, side_px, rgba), number, side_px};
     const ImVec2 low = ImGui::GetCursorScreenPos(), mouse = ImGui::GetIO().MousePos;
     ImGui::InvisibleButton(name, ImVec2(side, side));
-    // Textures are passed as their names in a pointer's place.
-    ImGui::GetWindowDrawList()->AddImage(reinterpret_cast<ImTextureID>(static_cast<uintptr_t>(uploaded.texture)), low,
+    // Names of textures are passed in a pointer's place, or as numbers since Dear ImGui 1.91.4.
+    ImGui::GetWindowDrawList()->AddImage(ImTextureID(uintptr_t(uploaded.texture)), low,
                                          ImVec2(low.x + side, low.y + side));
     u = std::clamp((mouse.x - low.x) / side, 0.0f, 1.0f);
     v = std::clamp((mouse.y - low.y) / side, 0.0f, 1.0f);
