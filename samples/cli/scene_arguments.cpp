@@ -39,8 +39,7 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
         ->check(CLI::IsMember({"rgba8888", "rgb565"}))
         ->capture_default_str();
     command
-        .add_option("--multisample", a.multisample,
-                    "Samples a pixel of the drawing surface: smooth edges (1: none)")
+        .add_option("--multisample", a.multisample, "Samples a pixel of the drawing surface: smooth edges (1: none)")
         ->check(CLI::Range(1, 64))
         ->capture_default_str();
     command
