@@ -46,7 +46,7 @@ TEST(Theatre, InvalidTomlIsRefusedWithItsLine)
     expect_refused("name = \"\u00DF\" # \u00DF\n\u00DF = 1\n",
                    {"mine.toml:2:", "not TOML: a letter outside of strings"});
     expect_refused("\xEF\xBB\xBFname = 1 \u00DF\n", {"mine.toml:1:", "not TOML: a letter outside of strings"});
-    expect_refused("\xEF\xBB\xBFname = \"\u00DF\"\n", {"lacks"});
+    expect_refused("\xEF\xBB\xBFname = \"\u00DF\"\n", {"does not say where its people are"});
 }
 
 TEST(Theatre, MissingKeysAreNamed)
