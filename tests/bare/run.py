@@ -79,6 +79,7 @@ def try_window(bare, blocks, steps, logs):
         else:
             steps["window.c"] = seconds_of(bare, text, logs / "window.log")
     bare.run(SHOW, "/claque", logs / "window-shown.log")
+    shutil.copy(bare.root / "screen.xwd", logs / "window.xwd")
     colours = colours_of((bare.root / "screen.xwd").read_bytes())
     if colours < 100:
         raise Failed(f"the window of the README shows {colours} colours, which is no crowd")
