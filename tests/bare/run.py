@@ -98,7 +98,7 @@ def try_commands(bare, blocks, steps, logs):
 
 def tests_of(log):
     """(passed, failed, [skipped]) of CTest's output; throws where all were skipped."""
-    ends = re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+) \.+ *(\**\w[\w ]*?) +[\d.]+ sec", log, re.M)
+    ends = re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+).*?\.{2,} *(\**\w[\w *]*?) +[\d.]+ sec", log, re.M)
     skipped = [name for name, end in ends if "Skipped" in end]
     failed = [name for name, end in ends if end != "Passed" and "Skipped" not in end]
     passed = len(ends) - len(skipped) - len(failed)
