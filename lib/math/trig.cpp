@@ -59,8 +59,8 @@ double of_quarter(const Reduced &r, int64_t quarters)
     return quarters & 2 ? -size : size;
 }
 
-// Sine of `angle` and of so many quarter turns more, as a float. The polynomials are the least wrong ones of their
-// degree within a quarter turn, from ARM's optimized routines (MIT), which glibc has taken over.
+// Sine of `angle` plus `more` quarter turns. The polynomials have the smallest error of their degree within a quarter
+// turn. They are those of ARM's optimized routines (MIT), which glibc has taken over.
 float of_quarter(float angle, int64_t more)
 {
     const double x = static_cast<double>(angle);
