@@ -12,7 +12,7 @@ export SOURCE_DATE_EPOCH
 
 # sh does not end a function at a failure whose caller asks for it.
 built() {
-    make="make --no-print-directory -o setup -o build JOBS=$jobs"
+    make="make --no-print-directory -o setup -o build -o installed JOBS=$jobs"
     cmake --preset release -DCLAQUE_TESTS=OFF -DCLAQUE_BENCHMARKS=OFF &&
         cmake --build --preset release -j "$jobs" &&
         $make install PREFIX=/usr DESTDIR="$PWD/out/installed" &&

@@ -14,7 +14,7 @@
 namespace contexts
 {
 
-// any: what the environment variable CLAQUE_CONTEXT names (any, osmesa, egl, glx); without it OSMesa if it is there,
+// any: the kind that CLAQUE_CONTEXT names in the environment (any, osmesa, egl, glx); without it OSMesa if it is there,
 // else EGL. EGL draws on Mesa's surfaceless platform, else on the first device; CLAQUE_EGL_DEVICE names another by
 // number. GLX needs the X server that DISPLAY names, and is only used where it is named.
 enum class Kind : uint8_t { any, osmesa, egl, glx };

@@ -1,5 +1,5 @@
-// What the scenes of claque_bits share: hashes of what the C API gives, and the lines that name them. A scene computes
-// nothing with the C library's functions, so that a line differs only where claque does.
+// Common parts of the scenes of claque_bits: hashes of values from the C API, and lines with their names. A scene
+// computes nothing with the C library's functions, so that a line differs only where claque does.
 #pragma once
 
 #include <claque/assets.h>

@@ -1,4 +1,4 @@
-// People on tracks, and what is read of them from files.
+// People on tracks, and the trajectories and areas that files give.
 #include <claque/track.h>
 #include <claque/trajectories.h>
 
