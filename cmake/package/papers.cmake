@@ -1,15 +1,26 @@
 # CPack runs it between installing and packing: each package gets its licence, its changelog and its overrides of
-# lintian, with their reasons; manual pages are packed.
+# lintian, with their reasons; manual pages are packed. Code of these packages is compiled into the others: those that
+# consist of headers, and the two that have no shared library.
+set(compiled_in libglm-dev libstb-dev nlohmann-json3-dev libtomlplusplus-dev libcli11-dev libimgui-dev)
+set(copyright ${CPACK_TOPLEVEL_DIRECTORY}/copyright)
 set(changelog ${CPACK_TOPLEVEL_DIRECTORY}/changelog)
 get_filename_component(source ${CPACK_RESOURCE_FILE_LICENSE} DIRECTORY)
 execute_process(
     COMMAND ${CMAKE_CURRENT_LIST_DIR}/changelog.sh ${source}/CHANGELOG.md "${CPACK_PACKAGE_VERSION}" "${CPACK_PACKAGE_CONTACT}"
     OUTPUT_FILE ${changelog} COMMAND_ERROR_IS_FATAL ANY)
+file(READ ${CPACK_RESOURCE_FILE_LICENSE} text)
+foreach(headers ${compiled_in})
+    if(EXISTS /usr/share/doc/${headers}/copyright)
+        file(READ /usr/share/doc/${headers}/copyright theirs)
+        string(APPEND text "\nCode of Debian's package ${headers} may be compiled in:\n\n${theirs}")
+    endif()
+endforeach()
+file(WRITE ${copyright} "${text}")
 foreach(component ${CPACK_COMPONENTS_ALL})
     string(TOUPPER ${component} upper)
     set(package ${CPACK_DEBIAN_${upper}_PACKAGE_NAME})
     set(share ${CPACK_TEMPORARY_DIRECTORY}/${component}${CPACK_PACKAGING_INSTALL_PREFIX}/share)
-    configure_file(${CPACK_RESOURCE_FILE_LICENSE} ${share}/doc/${package}/copyright COPYONLY NO_SOURCE_PERMISSIONS)
+    configure_file(${copyright} ${share}/doc/${package}/copyright COPYONLY NO_SOURCE_PERMISSIONS)
     configure_file(${changelog} ${share}/doc/${package}/changelog COPYONLY NO_SOURCE_PERMISSIONS)
     if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/${package}.lintian)
         configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.lintian ${share}/lintian/overrides/${package} COPYONLY NO_SOURCE_PERMISSIONS)

@@ -1,5 +1,11 @@
 # CPack runs it after packing: packages are packed again without CPack's scripts that call ldconfig, since Debian wants
-# a trigger for it. The tests make packages, and xz would take twice as long as all else.
+# a trigger for it. CLAQUE_DEB_COMPRESSION names the compression; the tests make packages, and xz, which
+# `make package` takes, would need twice as long as all else.
+if(DEFINED ENV{CLAQUE_DEB_COMPRESSION})
+    set(compression $ENV{CLAQUE_DEB_COMPRESSION})
+else()
+    set(compression gzip)
+endif()
 foreach(deb ${CPACK_PACKAGE_FILES})
     set(tree ${CPACK_TOPLEVEL_DIRECTORY}/repacked)
     file(REMOVE_RECURSE ${tree})
@@ -8,5 +14,5 @@ foreach(deb ${CPACK_PACKAGE_FILES})
     if(EXISTS ${tree}/DEBIAN/shlibs)
         file(WRITE ${tree}/DEBIAN/triggers "activate-noawait ldconfig\n")
     endif()
-    execute_process(COMMAND dpkg-deb --root-owner-group -Zgzip -b ${tree} ${deb} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    execute_process(COMMAND dpkg-deb --root-owner-group -Z${compression} -b ${tree} ${deb} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 endforeach()
