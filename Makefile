@@ -14,8 +14,8 @@ help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
-	@echo "make test       install what is missing, build, run every test"
-	@echo "make ci         make test, then readers, C API and corpora under sanitizers (ci-all: all of CI, 70 minutes at most)"
+	@echo "make test       install what is missing, build, run the tests"
+	@echo "make ci         make test, the long tests too, then readers, C API and corpora under sanitizers (ci-all: all of CI, 70 minutes at most)"
 	@echo "make nightly    the checks that take too long for CI, for hours, with one table at the end (STEPS='faults soak': some)"
 	@echo "make release    checks version, changelog and tree, runs the tests; sources, wheel, .debs and sums into out/release"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
@@ -83,8 +83,10 @@ video: command
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
 
+# Without the long tests, which are pictures of levels, pictures by Mesa's reference rasteriser, and each operation on a
+# file that fails.
 test: build
-	ctest --preset $(PRESET) -j $(JOBS)
+	ctest --preset $(PRESET) -j $(JOBS) --label-exclude '^long$$'
 
 # make build, the plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary;
 # ci-all also runs test-threads, runs each fuzzer for 20 s and tries ten mutants.
@@ -194,7 +196,7 @@ package: build
 	@mkdir -p out
 	@seconds=$${SOURCE_DATE_EPOCH:-$$(git log -1 --format=%ct 2> /dev/null)}; \
 	    [ -z "$$seconds" ] || export SOURCE_DATE_EPOCH=$$seconds; umask 022; \
-	    cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log 2>&1 || { cat out/packages.log; exit 1; }
+	    CLAQUE_DEB_COMPRESSION=xz cpack --config $(BUILD)/CPackConfig.cmake -B out/packages > out/packages.log 2>&1 || { cat out/packages.log; exit 1; }
 	@ls -l out/packages/*.deb
 
 # What make package makes: by the rules of Debian, and on a bare Debian 12. SUITE=trixie: of a build on Debian 13.

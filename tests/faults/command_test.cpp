@@ -41,7 +41,7 @@ protected:
         uint64_t tried = 0;
         for (const Kind &kind : kinds) {
             if (!kind.is_fault && subcommand().is_slow && !is_thorough()) continue;
-            for (uint64_t n = 1;; n += is_thorough() || n < 2 ? 1 : n) {
+            for (uint64_t n = 1;; n += is_thorough() ? 1 : 3 * n) {
                 SCOPED_TRACE(std::string(kind.name) + ", number " + std::to_string(n));
                 put_older();
                 Outcome outcome;
