@@ -7,6 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "samples/cli/help.h"
 #include "samples/io/joined.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
@@ -73,6 +74,7 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
                                 std::to_string(CLQ_VERSION_MINOR) + "." + std::to_string(CLQ_VERSION_PATCH);
     app.set_version_flag("--version", version);
     app.require_subcommand(1);
+    app.formatter(help_format());
     app.failure_message(CLI::FailureMessage::simple);
     // A scheduler's job is one of as many as there are cores.
     if (processes::is_scheduled()) processes::take_mesa_threads(1);

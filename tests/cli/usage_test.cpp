@@ -25,6 +25,22 @@ TEST_F(Usage, HelpIsThereForEveryCommandAndCostsNothing)
     EXPECT_EQ(claque({"--version"}).out.substr(0, 7), "claque ");
 }
 
+// As the manual page and the pages of docs are read, whatever the version of CLI11.
+TEST_F(Usage, HasTheSameFormEverywhere)
+{
+    const std::string frames = claque({"frames", "--help"}).out;
+    EXPECT_EQ(frames.find("Check the frames of a film that several jobs drew\n"
+                          "Usage: claque frames [OPTIONS] SUBCOMMAND\n\n"
+                          "Options:\n"
+                          "  -h,--help                   Print this help message and exit\n\n"
+                          "Subcommands:\n"
+                          "  check                       Compare "),
+              0u)
+        << frames;
+    const std::string render = claque({"render", "--help"}).out;
+    EXPECT_NE(render.find("\n  FILE TEXT Excludes: --scenario --scene\n"), std::string::npos) << render;
+}
+
 TEST_F(Usage, WhatIsWrongIsNamedWithTheWayOut)
 {
     const struct {

@@ -111,10 +111,9 @@ TEST_F(Install, GoesBelowDestdirAndIsFoundWhereItWillBe)
 {
     const auto [code, said] = home_.run(make("install DESTDIR='" + home_.path() + "/stage' PREFIX=/opt/claque"));
     ASSERT_EQ(code, 0) << said;
-    EXPECT_EQ(
-        printed("PKG_CONFIG_PATH=stage/opt/claque/lib/pkgconfig pkg-config --variable=prefix claque claque-assets "
-                "claque-stage"),
-        "/opt/claque /opt/claque /opt/claque\n");
+    for (const std::string library : {"claque", "claque-assets", "claque-stage"})
+        EXPECT_EQ(printed("PKG_CONFIG_PATH=stage/opt/claque/lib/pkgconfig pkg-config --variable=prefix " + library),
+                  "/opt/claque\n");
     EXPECT_EQ(printed("cd prefix && find . | sort > ../a; cd ../stage/opt/claque && find . | sort | diff ../../../a -"),
               "");
 }
