@@ -1,9 +1,12 @@
 #include "lib/asset/colour_file.h"
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 
 #include "lib/asset/toml.h"
 #include "lib/asset/toml_keys.h"
+#include "lib/asset/toml_number.h"
 #include "lib/base/error.h"
 #include "lib/math/hsb.h"
 #include "lib/model/colour_rules.h"
@@ -71,7 +74,7 @@ private:
     const char *text(const toml::node &node, const std::string &what)
     {
         if (!node.is_string()) refuse(node, "'" + what + "' is not a string");
-        return keep(*node.value<std::string>(), node);
+        return keep(node.as_string()->get(), node);
     }
 
     const char *keep(std::string value, const toml::node &at)
@@ -83,8 +86,11 @@ private:
 
     float number(const toml::node &node, const std::string &what) const
     {
-        if (!node.is_number()) refuse(node, "'" + what + "' is not a number");
-        return float(*node.value<double>());
+        std::string wrong;
+        const double found = number_in(node, wrong);
+        if (wrong.empty() && std::fabs(found) > double(FLT_MAX)) wrong = "is too large";
+        if (!wrong.empty()) refuse(node, "'" + what + "' " + wrong);
+        return float(found);
     }
 
     void known(const toml::table &in, std::initializer_list<std::string_view> keys) const
@@ -166,7 +172,7 @@ private:
             for (const char *key : {"hue", "saturation", "brightness"})
                 if (const toml::node *other = from.get(key))
                     refuse(*other, "it has a colour and '" + std::string(key) + "' beside it");
-            if (!colour->is_string() || !read_hex(*colour->value<std::string>(), range))
+            if (!colour->is_string() || !read_hex(colour->as_string()->get(), range))
                 refuse(*colour, "'colour' is not a string like \"#8a3b12\"");
             return range;
         }

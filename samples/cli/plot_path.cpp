@@ -19,6 +19,8 @@ using charts::BarChart;
 using charts::Fill;
 using charts::Panel;
 
+constexpr int most_side_px = 1 << 20;
+
 // A report as it was read. Every access is checked, because files come from anywhere.
 class Report
 {
@@ -174,7 +176,8 @@ BarChart chart_of(const Report &report)
     }
 
     const Json &machine = report.member(report.root(), "machine"), &size = report.member(report.root(), "size_px");
-    if (!size.is_array() || size.size() != 2 || !size[0].is_number() || !size[1].is_number())
+    if (!size.is_array() || size.size() != 2 || !io::whole_in(size[0], 1, most_side_px) ||
+        !io::whole_in(size[1], 1, most_side_px))
         report.refuse("its 'size_px' is not a size");
     chart.notes.push_back("The library takes " + library_share(report, strategies.back()) + " of a frame (" +
                           strategies.back() + "). Higher is better above, lower is better below it.");

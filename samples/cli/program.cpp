@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "samples/cli/help.h"
+#include "samples/cli/number_options.h"
 #include "samples/io/joined.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
@@ -80,6 +81,7 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     if (processes::is_scheduled()) processes::take_mesa_threads(1);
     Work chosen;
     for (const Add add : subcommands) add(app, chosen);
+    expect_plain_numbers(app);
 
     try {
         const int parsed = parse(app, argc, argv);

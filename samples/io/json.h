@@ -2,6 +2,8 @@
 // recursion.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace io
@@ -35,6 +37,19 @@ Json parse_json(const std::string &json, std::string &problem)
     else parsed = Json::parse(json, nullptr, false);
     if (problem.empty() && parsed.is_discarded()) problem = "is not JSON";
     return parsed;
+}
+
+// A whole number from `least` to `most`, which a double holds; none: the value is something else. The conversions of
+// the parser wrap.
+template <class Json>
+std::optional<int64_t> whole_in(const Json &value, int64_t least, int64_t most)
+{
+    if (!value.is_number()) return {};
+    const double number = value.template get<double>();
+    if (!(number >= static_cast<double>(least) && number <= static_cast<double>(most))) return {};
+    const int64_t whole = static_cast<int64_t>(number);
+    if (static_cast<double>(whole) != number) return {};
+    return whole;
 }
 
 }  // namespace io

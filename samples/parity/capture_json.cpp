@@ -37,11 +37,12 @@ public:
             fail(key, ("a number from " + Json(low).dump() + " to " + Json(high).dump()).c_str());
         return value;
     }
-    size_t whole(const char *key, double high) const
+    size_t whole(const char *key, int64_t high, int64_t low = 0) const
     {
-        const double value = number(key, 0, high);
-        if (value != std::floor(value)) fail(key, "a whole number");
-        return static_cast<size_t>(value);
+        (void)number(key, static_cast<double>(low), static_cast<double>(high));
+        const std::optional<int64_t> value = io::whole_in(field(key), low, high);
+        if (!value) fail(key, "a whole number");
+        return static_cast<size_t>(*value);
     }
     const Json &any(const char *key) const { return field(key); }
     const Json &list(const char *key) const
@@ -123,8 +124,8 @@ CaptureInfo capture_info(const std::string &capture, const std::string &path, bo
     CaptureInfo out;
     out.renderer = fields.text("renderer");
     out.scene = text_of(fields.any("scene"));
-    out.width = static_cast<int>(fields.number("width", 1, most_side));
-    out.height = static_cast<int>(fields.number("height", 1, most_side));
+    out.width = static_cast<int>(fields.whole("width", most_side, 1));
+    out.height = static_cast<int>(fields.whole("height", most_side, 1));
     out.time_s = fields.number("time_s", -1e12, 1e12);
     if (!has_table) return out;
     out.actors = fields.whole("actors", UINT32_MAX);

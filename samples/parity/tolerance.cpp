@@ -7,6 +7,7 @@
 #include "samples/io/files.h"
 #include "samples/io/toml.h"
 #include "samples/io/toml_keys.h"
+#include "samples/io/toml_number.h"
 #include "samples/parity/measures.h"
 
 namespace parity
@@ -18,6 +19,9 @@ std::string at(const toml::node &node, const std::string &path)
 {
     return path + ", line " + std::to_string(node.source().begin.line) + ": ";
 }
+
+// "" where it is no string.
+std::string text_in(const toml::node &node) { return node.is_string() ? node.as_string()->get() : ""; }
 
 void set(Tolerance &t, const std::string &measure, double bound)
 {
@@ -43,9 +47,11 @@ void read_limits(const toml::table &table, const std::string &before, bool at_mo
         if (!kind) throw Unreadable(at(node, path) + "there is no measure '" + name + "'");
         if (kind->larger_is_worse != at_most)
             throw Unreadable(at(node, path) + name + " belongs into [" + (at_most ? "at_least" : "at_most") + "]");
-        const auto bound = node.value<double>();
-        if (!bound || std::isnan(*bound)) throw Unreadable(at(node, path) + name + " has to be a number");
-        set(t, name, *bound);
+        std::string wrong;
+        const double bound = io::number_in(node, wrong);  // infinite: no bound
+        if (node.is_integer() && !wrong.empty()) throw Unreadable(at(node, path) + name + " " + wrong);
+        if (std::isnan(bound)) throw Unreadable(at(node, path) + name + " has to be a number");
+        set(t, name, bound);
     }
 }
 
@@ -54,7 +60,7 @@ void read_required(const toml::node &node, const std::string &path, Tolerance &t
     const toml::array *list = node.as_array();
     if (!list) throw Unreadable(at(node, path) + "'require' has to be a list of strings");
     for (const toml::node &entry : *list) {
-        const std::string group = entry.value_or(std::string());
+        const std::string group = text_in(entry);
         const auto &groups = measure_groups();
         if (std::find(groups.begin(), groups.end(), group) == groups.end()) {
             std::string known;
@@ -89,7 +95,7 @@ Tolerance tolerance_from(const std::string &tolerance, const std::string &path)
     const toml::table &file = parsed.table();
     Tolerance t;
     if (const toml::node *base = file.get("base")) {
-        const Tolerance *named = find_named(base->value_or(std::string()));
+        const Tolerance *named = find_named(text_in(*base));
         if (!named) throw Unreadable(at(*base, path) + "'base' may be exact, gpu, coarse or loose");
         t = *named;
     }

@@ -29,6 +29,10 @@ report 'names of tests are sentences in CamelCase, suites too' \
 # The parser itself has no limit of depth, and its values are copied, compared and freed by recursion.
 report 'JSON is read by samples/io/json.h or lib/asset/json_parse.cpp, which limit its depth' \
     "$(echo "$sources" | grep -v '^tests/\|^samples/io/json.h$' | xargs grep -nE '[Jj]son::parse\(' || true)"
+# toml++ gives an empty optional for a number that a double cannot hold, and code that takes its value reads anything.
+report 'numbers of TOML are read by lib/asset, lib/stage/machine and samples/io/toml_number.cpp alone' \
+    "$(echo "$sources" | grep -v '/toml_number\.cpp$' |
+        xargs grep -nE '(\.|->)value(_exact)?<|as_(integer|floating_point)\(|(node|entry|base)(\.|->)value_or\(' || true)"
 # Other processors and C libraries round these otherwise; GLM calls them.
 libm='a?(sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|[tl]gamma|erfc?'
 glm='angle|angleAxis|eulerAngles|orientedAngle|perspective|rotate|rotation|slerp'

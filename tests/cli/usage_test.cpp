@@ -52,6 +52,14 @@ TEST_F(Usage, WhatIsWrongIsNamedWithTheWayOut)
         {{"parity", "paint"}, "'paint' is no subcommand of parity; there are: export, capture, compare\n"},
         {{"render", "--out", path("x.jpg")}, "'" + path("x.jpg") + "' would hold a PNG picture"},
         {{"play", "people.csv", "--out", path("x.png")}, "--time draws a single one"},
+        {{"render", "--seed", "99999999999999999999999"},
+         "--seed: '99999999999999999999999' is not a whole number of digits that 64 bits hold"},
+        {{"render", "--seed", "18446744073709551616"}, "--seed: '18446744073709551616' is not a whole number"},
+        {{"render", "--seed", "-1"}, "--seed: '-1' is not a whole number"},
+        {{"view", "--seed", "0x10"}, "--seed: '0x10' is not a whole number"},
+        {{"variety", "citizen", "--count", "0401"}, "--count: Value 401 not in range 1 to 400"},
+        {{"render", "--lod-scale", "nan"}, "--lod-scale: 'nan' is not a finite number"},
+        {{"render", "--lod-scale", "1e999"}, "--lod-scale: '1e999' is not a finite number"},
     };
     for (const auto &c : cases) {
         const Outcome outcome = claque(c.arguments);

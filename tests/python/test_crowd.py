@@ -23,6 +23,15 @@ def test_a_template_describes_its_content(citizen):
     assert zones.max() < len(citizen.zones)
 
 
+def test_seeds_and_other_numbers_that_their_bits_do_not_hold_are_refused(crowd, citizen):
+    crowd.add(citizen, seed=2**64 - 1)
+    for seed in (2**64, 2**70, -1):
+        with pytest.raises(ValueError, match=f"seed cannot be {seed}: it has 64 bits"):
+            crowd.add(citizen, seed=seed)
+    with pytest.raises(ValueError, match="texture_set cannot be 4294967296: it has 32 bits"):
+        crowd.add(citizen, texture_set=2**32)
+
+
 def test_views_of_a_templates_memory_cannot_be_written_and_keep_it_alive(context):
     template = claque.Template.builtin(context, "plebeian", folder=None)
     positions = template.mesh()["positions"]

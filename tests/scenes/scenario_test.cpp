@@ -197,3 +197,28 @@ TEST(Scenario, ThatIsNotThereIsRefusedByName)
         EXPECT_NE(std::string(failure.what()).find("none.toml"), std::string::npos) << failure.what();
     }
 }
+
+namespace
+{
+
+const std::string one_person =
+    "name = 'x'\n[[characters]]\nname = 'c'\ncharacter = 'citizen'\n[[people]]\nclass = 'c'\nat = [0, 0, 0]\n";
+
+}  // namespace
+
+TEST(Scenario, OfPeopleWithNumbersThatAreNotWhatTheySayIsRefused)
+{
+    EXPECT_EQ(refusal_of(one_person), "read");
+    EXPECT_EQ(refusal_of(one_person + "seed = '18446744073709551615'\nstart_s = 9007\n"), "read");
+    EXPECT_EQ(refusal_of(one_person + "orientation = [0, 0.6, 0, 0.8]\n"), "read");
+    expect_refused(one_person + "start_s = 9007199254740993\n",
+                   {"mine.toml:8:11: [[people]] 1 has 'start_s' that is 9007199254740993, a whole number that would be "
+                    "rounded: up to 9007199254740992 none is"});
+    for (const char *seed : {"18446744073709551616", "12345678901234567890123", "-1", "7a", "", " 7", "0x10"})
+        expect_refused(one_person + "seed = '" + seed + "'\n",
+                       {"mine.toml:8:8: [[people]] 1 has the seed '" + std::string(seed) +
+                        "', which is not a whole number from 0 to 18446744073709551615"});
+    expect_refused(one_person + "orientation = [0, 0, 0, 0]\n",
+                   {"mine.toml:8:15: [[people]] 1 has an orientation of length 0 instead of 1"});
+    expect_refused(one_person + "orientation = [0, 0.6, 0, 0.802]\n", {"of length 1.0016 instead of 1"});
+}

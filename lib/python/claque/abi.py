@@ -21,6 +21,13 @@ class Sized(Structure):
         super().__init__(*arguments, **members)
         self.struct_bytes = ctypes.sizeof(self)
 
+    def __setattr__(self, name, value):
+        """ctypes would keep the last bits of a number that is too long, or below 0."""
+        super().__setattr__(name, value)
+        held = getattr(self, name) if isinstance(value, int) else value
+        if isinstance(held, int) and not isinstance(held, bool) and held != value:
+            raise ValueError(f"{name} cannot be {value}: it has {8 * getattr(type(self), name).size} bits")
+
 
 class Allocator(Structure):
     _fields_ = [("user", c_void_p), ("allocate", c_void_p), ("release", c_void_p)]

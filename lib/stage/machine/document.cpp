@@ -5,6 +5,7 @@
 
 #include "lib/stage/error.h"
 #include "lib/stage/machine/toml_keys.h"
+#include "lib/stage/machine/toml_number.h"
 
 namespace claque::stage
 {
@@ -57,7 +58,7 @@ const toml::array &Document::list(const toml::node &node, const std::string &wha
 std::string Document::string(const toml::node &node, const std::string &what) const
 {
     if (!node.is_string()) refuse(node, "'" + what + "' is not a string");
-    std::string found = *node.value<std::string>();
+    std::string found = node.as_string()->get();
     if (found.find('\0') != std::string::npos) refuse(node, "'" + what + "' holds a zero byte");
     return found;
 }
@@ -65,14 +66,14 @@ std::string Document::string(const toml::node &node, const std::string &what) co
 bool Document::truth(const toml::node &node, const std::string &what) const
 {
     if (!node.is_boolean()) refuse(node, "'" + what + "' is neither true nor false");
-    return *node.value<bool>();
+    return node.as_boolean()->get();
 }
 
 double Document::number(const toml::node &node, const std::string &what) const
 {
-    if (!node.is_number()) refuse(node, "'" + what + "' is not a number");
-    const double found = *node.value<double>();
-    if (!std::isfinite(found)) refuse(node, "'" + what + "' is not finite");
+    std::string wrong;
+    const double found = number_in(node, wrong);
+    if (!wrong.empty()) refuse(node, "'" + what + "' " + wrong);
     return found;
 }
 

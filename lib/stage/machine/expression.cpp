@@ -1,9 +1,9 @@
 #include "lib/stage/machine/expression.h"
 
 #include <charconv>
-#include <cmath>
 
 #include "lib/stage/error.h"
+#include "lib/stage/machine/toml_number.h"
 
 namespace claque::stage
 {
@@ -186,8 +186,10 @@ private:
         double value = 0;
         const char *begin = text_.data() + at_, *end = text_.data() + text_.size();
         const auto [stop, error] = std::from_chars(begin, end, value);
-        if (error != std::errc() || !std::isfinite(value)) refuse(at_, "this is no number");
-        at_ += static_cast<size_t>(stop - begin);
+        if (error != std::errc()) refuse(at_, "this is no number");
+        const std::string_view digits = text_.substr(at_, static_cast<size_t>(stop - begin));
+        if (is_rounded(digits, value)) refuse(at_, "this whole number would be rounded to " + text_of("%.0f", value));
+        at_ += digits.size();
         put(Code::number, 0, value);
         return Type::number;
     }

@@ -129,7 +129,8 @@ void MachineReader::read_set(const toml::table &from, Action &made)
     if (to->is_boolean() || to->is_number()) {
         if (to->is_boolean() != (found.type == Type::truth))
             doc_.refuse(*to, "'" + name + "' is " + (found.type == Type::truth ? "true or false" : "a number"));
-        out_.ops.push_back({Code::number, 0, to->is_boolean() ? double(*to->value<bool>()) : doc_.number(*to, "to")});
+        out_.ops.push_back(
+            {Code::number, 0, to->is_boolean() ? double(doc_.truth(*to, "to")) : doc_.number(*to, "to")});
         made.program.count = 1;
     } else {
         made.program = expression(*to, "to", found.type);

@@ -80,7 +80,7 @@ void MachineReader::read_variables(const toml::table &from, std::vector<Variable
                                   "or", "not", "min", "max", "abs", "floor", "random", "near", "count"})
             if (made.name == taken) doc_.refuse(key->source(), "'" + made.name + "' has a meaning of its own");
         made.type = node->is_boolean() ? Type::truth : Type::number;
-        made.initial = node->is_boolean() ? double(*node->value<bool>()) : doc_.number(*node, made.name);
+        made.initial = node->is_boolean() ? double(doc_.truth(*node, made.name)) : doc_.number(*node, made.name);
         if (out.size() >= most) doc_.refuse(key->source(), text_of("more than %u %s", most, what));
         out.push_back(std::move(made));
     }

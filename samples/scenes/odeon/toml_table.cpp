@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "samples/io/toml_keys.h"
+#include "samples/io/toml_number.h"
 #include "samples/scenes/check.h"
 
 namespace scenes
@@ -103,8 +104,12 @@ double TomlTable::number_of(const toml::node &node, std::string_view key, Limits
 {
     const std::string name = "has '" + std::string(key) + "' = ";
     if (!node.is_number()) refuse(name + kind_of(node) + " instead of a number", key);
-    const double value = *node.value<double>();
-    if (!std::isfinite(value)) refuse(name + show(value) + ", which is not finite", key);
+    std::string wrong;
+    const double value = io::number_in(node, wrong);
+    if (!wrong.empty())
+        refuse(node.is_integer() ? "has '" + std::string(key) + "' that " + wrong
+                                 : name + show(value) + ", which " + wrong,
+               key);
     if (value < limits.first || value > limits.last)
         refuse(name + show(value) + ", which is not within " + show(limits.first) + " to " + show(limits.last), key);
     return value;
@@ -124,7 +129,7 @@ std::string TomlTable::text(std::string_view key)
 {
     const toml::node &node = need(key);
     if (!node.is_string()) refuse("has '" + std::string(key) + "' = " + kind_of(node) + " instead of a string", key);
-    return *node.value<std::string>();
+    return node.as_string()->get();
 }
 
 bool TomlTable::flag(std::string_view key)
@@ -132,7 +137,7 @@ bool TomlTable::flag(std::string_view key)
     const toml::node &node = need(key);
     if (!node.is_boolean())
         refuse("has '" + std::string(key) + "' = " + kind_of(node) + " instead of true or false", key);
-    return *node.value<bool>();
+    return node.as_boolean()->get();
 }
 
 std::array<double, 2> TomlTable::pair(std::string_view key, Limits limits)
@@ -167,7 +172,7 @@ std::vector<std::string> TomlTable::texts(std::string_view key)
     std::vector<std::string> all;
     for (const toml::node &item : *list) {
         if (!item.is_string()) refuse("has '" + std::string(key) + "' that is not a list of strings", key);
-        all.push_back(*item.value<std::string>());
+        all.push_back(item.as_string()->get());
     }
     return all;
 }

@@ -1,6 +1,7 @@
 // [[people]]: single individuals with roles.
-#include <cstdlib>
+#include <cmath>
 
+#include "samples/io/whole_number.h"
 #include "samples/scenes/scenario/sections.h"
 
 namespace scenes
@@ -117,10 +118,14 @@ void read_looks(TomlTable &table, Person &out)
     if (table.has("orientation")) {
         const std::vector<double> q = table.numbers("orientation", {-1.001, 1.001});
         if (q.size() != 4) table.refuse("has an orientation that is no quaternion [x, y, z, w]", "orientation");
+        const double length = std::sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3]);
+        if (!(std::fabs(length - 1) <= 1e-3))
+            table.refuse("has an orientation of length " + show(length) + " instead of 1", "orientation");
         for (size_t k = 0; k < 4; ++k) out.orientation[k] = static_cast<float>(q[k]);
     }
     if (table.has("scale")) out.scale = static_cast<float>(table.number("scale", {1e-4, 1e4}));
-    if (table.has("seed")) out.seed = std::strtoull(table.text("seed").c_str(), nullptr, 10);
+    if (table.has("seed") && !io::read_whole_number(table.text("seed"), out.seed))
+        table.refuse("has the seed '" + table.text("seed") + "', which is not " + io::whole_number_rule, "seed");
     if (table.has("textures")) out.textures = table.text("textures");
     if (!table.has("colours")) return;
     const std::vector<double> bytes = table.numbers("colours", {0, 255});

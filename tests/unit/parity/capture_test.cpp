@@ -92,6 +92,8 @@ TEST_F(CaptureFolder, WithAnInvalidFieldIsRefused)
         {"\"version\": 1", "\"version\": 2", "./capture.json is of version 2, and version 1 can be read"},
         {"\"width\": 16", "\"width\": 0", "./capture.json: 'width' has to be a number from 1.0 to 16384.0"},
         {"\"width\": 16", "\"width\": \"16\"", "./capture.json: 'width' has to be a number from 1.0 to 16384.0"},
+        {"\"width\": 16", "\"width\": 16.5", "./capture.json: 'width' has to be a whole number"},
+        {"\"width\": 16", "\"width\": 4294967312", "./capture.json: 'width' has to be a number from 1.0 to 16384.0"},
         {"\"time_s\": 1.5", "\"time_s\": null",
          "./capture.json: 'time_s' has to be a number from -1000000000000.0 to 1000000000000.0"},
         {"\"template\": 1", "\"template\": 2", "./capture.json: a mesh names template 2 of 2"},

@@ -59,6 +59,10 @@ TEST(Tolerances, ThatMakeNoSenseAreRefusedWithTheLine)
     EXPECT_EQ(refusal("[at_least]\ncolour.max = 1\n"), "t.toml, line 2: colour.max belongs into [at_most]");
     EXPECT_EQ(refusal("[at_most]\ncolour.max = 'one'\n"), "t.toml, line 2: colour.max has to be a number");
     EXPECT_EQ(refusal("[at_most]\ncolour.max = nan\n"), "t.toml, line 2: colour.max has to be a number");
+    EXPECT_EQ(refusal("[at_most]\ncolour.max = 9007199254740993\n"),
+              "t.toml, line 2: colour.max is 9007199254740993, a whole number that would be rounded: up to "
+              "9007199254740992 none is");
+    EXPECT_EQ(refusal("[at_most]\ncolour.max = inf\n"), "accepted") << "no bound";
     EXPECT_EQ(refusal("\nrequire = 'depth'\n"), "t.toml, line 2: 'require' has to be a list of strings");
     EXPECT_EQ(refusal("require = ['deep']\n").substr(0, 56),
               "t.toml, line 1: 'require' may name actors, positions, no");

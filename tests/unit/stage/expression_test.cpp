@@ -129,6 +129,8 @@ TEST(Expression, ThatCannotBeIsRefusedWithWhatIsWrong)
     wrong("crowd.fame", "'crowd.fame' is not known; there are: n, log, open, crowd.mood, time");
     wrong("fame(1)", "'fame' is no function; there are: min, max, abs");
     wrong("1e999", "this is no number");
+    wrong("1 + 9007199254740993", "this whole number would be rounded to 9007199254740992");
+    wrong("18446744073709551615", "this whole number would be rounded to 18446744073709551616");
     wrong(".", "this is no number");
     wrong("1 < 2", "'to' is a condition: a number is wanted");
     const std::string open(40, '('), signs(40, '-');

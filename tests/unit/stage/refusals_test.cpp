@@ -55,6 +55,8 @@ TEST(MachineFile, WithTransitionsThatCannotBeIsRefused)
         {a + "{ after = [3, 1], to = \"a\" } ]\n", "line 10, column 11", "its greatest number first"},
         {a + "{ after = -1, to = \"a\" } ]\n", "line 10, column 11", "'after' is -1"},
         {a + "{ after = nan, to = \"a\" } ]\n", "line 10, column 11", "not finite"},
+        {a + "{ after = 9007199254740993, to = \"a\" } ]\n", "line 10, column 11",
+         "'after' is 9007199254740993, a whole"},
         {a + "{ marker = \"up\", to = \"a\" } ]\nenter = [ { play = \"slow\" } ]\n", "line 10, column 12",
          "no clip that the machine plays has a marker 'up' in the template 'strip'"},
     });

@@ -1,0 +1,46 @@
+#include "lib/stage/machine/toml_number.h"
+
+#include <cmath>
+
+#include "lib/stage/error.h"
+
+namespace claque::stage
+{
+
+namespace
+{
+
+constexpr uint64_t first_gap = uint64_t(1) << 53;  // every whole number up to here is a double
+
+bool is_held(int64_t value)
+{
+    uint64_t digits = value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
+    while (digits > first_gap && digits % 2 == 0) digits /= 2;
+    return digits <= first_gap;
+}
+
+}  // namespace
+
+double number_in(const toml::node &node, std::string &wrong)
+{
+    wrong.clear();
+    if (const toml::value<int64_t> *whole = node.as_integer()) {
+        if (is_held(whole->get())) return static_cast<double>(whole->get());
+        wrong = "is " + std::to_string(whole->get()) + ", a whole number that would be rounded: up to " +
+                std::to_string(first_gap) + " none is";
+        return NAN;
+    }
+    const toml::value<double> *real = node.as_floating_point();
+    if (!real) wrong = "is not a number";
+    else if (!std::isfinite(real->get())) wrong = "is not finite";
+    return real ? real->get() : NAN;
+}
+
+bool is_rounded(std::string_view number, double value)
+{
+    if (value <= static_cast<double>(first_gap) - 1 || number.find_first_not_of("0123456789") != std::string_view::npos)
+        return false;
+    return text_of("%.0f", value) != number.substr(number.find_first_not_of('0'));
+}
+
+}  // namespace claque::stage
