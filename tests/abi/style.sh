@@ -33,6 +33,12 @@ report 'JSON is read by samples/io/json.h or lib/asset/json_parse.cpp, which lim
 report 'numbers of TOML are read by lib/asset, lib/stage/machine and samples/io/toml_number.cpp alone' \
     "$(echo "$sources" | grep -v '/toml_number\.cpp$' |
         xargs grep -nE '(\.|->)value(_exact)?<|as_(integer|floating_point)\(|(node|entry|base)(\.|->)value_or\(' || true)"
+missing=''
+for preset in dev asan fuzz; do
+    sed -n "/\"name\": \"$preset\", \"displayName\"/,/}}/p" CMakePresets.json | grep -q -- '-D_GLIBCXX_ASSERTIONS' ||
+        missing="$missing $preset"
+done
+report 'presets whose libstdc++ does not look at what it is asked for: -D_GLIBCXX_ASSERTIONS' "$missing"
 # Other processors and C libraries round these otherwise; GLM calls them.
 libm='a?(sin|cos|tan)h?|atan2|exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|[tl]gamma|erfc?'
 glm='angle|angleAxis|eulerAngles|orientedAngle|perspective|rotate|rotation|slerp'
