@@ -38,6 +38,14 @@ std::string difference(const labels::Json &there, const labels::Json &here)
     return "their order differs";
 }
 
+// Of all but the hash itself.
+std::string hash_of(labels::Json about)
+{
+    about.erase("itself");
+    const std::string text = about.dump();
+    return sha256_of(text.data(), text.size());
+}
+
 std::string name_of(int frame) { return "frames/" + labels::number_of(frame) + ".json"; }
 
 }  // namespace
@@ -71,12 +79,21 @@ labels::Json LabelFolder::kept(int frame) const
     if (read.value("settings", labels::Json()) != settings_hash_)
         throw scenes::Failure(path_ + " has labels of other settings for frame " + std::to_string(frame) +
                               "; make them anew with --again");
+    if (read.value("itself", labels::Json()) != hash_of(read) || read["frame"] != frame) return {};
+    for (const auto &[file, sha256] : read["files"].items())
+        if (!is_still((fs::path(path_) / file).string(), sha256)) return {};
     return read;
 }
 
-labels::Json LabelFolder::conclude(labels::Json about_frame) const
+labels::Json LabelFolder::take(const std::vector<labels::FrameFile> &files, labels::Json about_frame) const
 {
     about_frame["settings"] = settings_hash_;
+    about_frame["files"] = labels::Json::object();
+    for (const labels::FrameFile &file : files) {
+        write(file);
+        about_frame["files"][file.path] = sha256_of(file.bytes.data(), file.bytes.size());
+    }
+    about_frame["itself"] = hash_of(about_frame);
     write({name_of(about_frame["frame"].get<int>()), about_frame.dump() + "\n"});
     return about_frame;
 }

@@ -19,10 +19,10 @@ public:
     // Writes settings.json, before the first picture.
     void begin() const { write({"settings.json", settings_}); }
     void write(const labels::FrameFile &file) const;
-    // What a picture says that is labelled already; empty: it is not.
+    // What a picture says that is labelled already; empty: it is not, or one of its files is not what was written.
     labels::Json kept(int frame) const;
-    // The last file of a picture: with it the picture is whole.
-    labels::Json conclude(labels::Json about_frame) const;
+    // Writes a picture: its files, and then what it says, with the SHA-256 of each. With that the picture is whole.
+    labels::Json take(const std::vector<labels::FrameFile> &files, labels::Json about_frame) const;
 
 private:
     std::string path_, settings_, settings_hash_;

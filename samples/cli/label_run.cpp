@@ -62,8 +62,7 @@ Json Labelling::settings()
 void Labelling::keep(int number, LabelledFiles made)
 {
     if (reports_.empty()) folder_->begin();
-    for (const labels::FrameFile &file : made.files) folder_->write(file);
-    frames_[number] = folder_->conclude(std::move(made.about));
+    frames_[number] = folder_->take(made.files, std::move(made.about));
     reports_[number] = std::move(made.report);
     progress_.step(frames_.size(), of_);
 }

@@ -20,9 +20,9 @@ namespace
 {
 
 constexpr const char *mark = "claque_manifest";
-constexpr int manifest_version = 1;
+constexpr int manifest_version = 1, largest_frame = 999999999;
 
-// Frames lie beside the manifest or below it, mostly.
+// Frames lie beside the manifest. A check refuses others.
 std::string relative(const std::string &file, const std::string &manifest)
 {
     const fs::path folder = fs::path(manifest).parent_path();
@@ -36,14 +36,8 @@ std::string whole_path(const std::string &file, const std::string &manifest)
     return path.is_absolute() ? file : (fs::path(manifest).parent_path() / path).string();
 }
 
-bool is_same(const std::string &path, const std::string &sha256)
-{
-    std::error_code none;
-    return fs::is_regular_file(path, none) && sha256_of_file(path) == sha256;
-}
-
 struct ReadManifest {
-    std::string name;
+    std::string name, pattern;
     Json about;
     std::vector<int> asked;
     struct Entry {
@@ -61,14 +55,17 @@ ReadManifest read_manifest(const std::string &path, const Json &json)
     ReadManifest found;
     found.name = fs::path(path).filename().string();
     try {
-        if (json.at(mark).get<int>() != manifest_version)
+        if (json.at(mark) != manifest_version)
             throw scenes::Failure(path + ": version " + json.at(mark).dump() + " of manifests is not known");
         found.about = json.at("about");
+        found.pattern = json.value("pattern", "");
         const std::string wrong = read_frames(json.at("asked").get<std::string>(), found.asked);
         if (!wrong.empty()) throw scenes::Failure(path + ": asked: " + wrong);
-        for (const Json &one : json.at("frames"))
-            found.entries.push_back(
-                {one.at("frame").get<int>(), one.at("file").get<std::string>(), one.at("sha256").get<std::string>()});
+        for (const Json &one : json.at("frames")) {
+            const std::optional<int64_t> frame = io::whole_in(one.at("frame"), 0, largest_frame);
+            if (!frame) throw scenes::Failure(path + ": " + one.at("frame").dump() + " is no number of a frame");
+            found.entries.push_back({static_cast<int>(*frame), one.at("file"), one.at("sha256")});
+        }
     } catch (const Json::exception &error) {
         throw scenes::Failure(path + " is no whole manifest: " + error.what());
     }
@@ -95,6 +92,17 @@ void compare_about(const ReadManifest &first, const ReadManifest &other, FilmRep
     }
 }
 
+// "" where the entry names the file beside the manifest that its frame has to have; otherwise a sentence.
+std::string misnamed(const ReadManifest &manifest, const ReadManifest::Entry &entry)
+{
+    const std::string frame =
+        manifest.name + ": frame " + std::to_string(entry.frame) + " is " + Json(entry.file).dump();
+    if (fs::path(entry.file).filename() != entry.file || entry.file == "." || entry.file == "..")
+        return frame + ", which is no name of a file beside the manifest";
+    const std::string wanted = frame_path(manifest.pattern, entry.frame);
+    return entry.file == wanted ? "" : frame + " instead of " + Json(wanted).dump();
+}
+
 }  // namespace
 
 std::string array_words(const std::vector<int> &frames)
@@ -110,8 +118,8 @@ std::string array_words(const std::vector<int> &frames)
     return words;
 }
 
-Manifest::Manifest(std::string path, Json about, const std::vector<int> &asked)
-    : path_(std::move(path)), about_(std::move(about))
+Manifest::Manifest(std::string path, Json about, const std::vector<int> &asked, const std::string &out)
+    : path_(std::move(path)), about_(std::move(about)), pattern_(relative(out, path_))
 {
     for (const int frame : asked) asked_ += (asked_.empty() ? "" : ",") + std::to_string(frame);
     std::error_code none;
@@ -119,7 +127,7 @@ Manifest::Manifest(std::string path, Json about, const std::vector<int> &asked)
     const Json older = parsed(path_);
     if (!is_manifest(older)) throw scenes::Failure(path_ + " is there and is no manifest");
     const ReadManifest before = read_manifest(path_, older);
-    if (before.about != about_) return;
+    if (before.about != about_ || before.pattern != pattern_) return;
     for (const ReadManifest::Entry &one : before.entries) entries_[one.frame] = {one.file, one.sha256};
 }
 
@@ -127,7 +135,7 @@ bool Manifest::has(int frame, const std::string &file) const
 {
     const auto found = entries_.find(frame);
     return found != entries_.end() && found->second.file == relative(file, path_) &&
-           is_same(file, found->second.sha256);
+           is_still(file, found->second.sha256);
 }
 
 void Manifest::add(int frame, const std::string &file)
@@ -142,6 +150,7 @@ void Manifest::write() const
     json[mark] = manifest_version;
     json["about"] = about_;
     json["asked"] = asked_;
+    json["pattern"] = pattern_;
     json["frames"] = Json::array();
     for (const auto &[frame, entry] : entries_)
         json["frames"].push_back({{"frame", frame}, {"file", entry.file}, {"sha256", entry.sha256}});
@@ -164,12 +173,24 @@ FilmReport check_film(const std::string &folder, const std::vector<int> &wanted)
     FilmReport report;
     std::set<int> expected(wanted.begin(), wanted.end());
     std::map<int, std::string> whole;  // SHA-256 of each
+    std::map<std::string, int> named;  // files, and the frame of each
     for (const ReadManifest &one : manifests) {
+        if (!is_frame_pattern(one.pattern))
+            throw scenes::Failure(folder + "/" + one.name + " does not say how its files are named: draw it anew");
         compare_about(manifests[0], one, report);
         if (wanted.empty()) expected.insert(one.asked.begin(), one.asked.end());
+        std::set<int> own;
         for (const ReadManifest::Entry &entry : one.entries) {
+            const auto frame_of_file = named.try_emplace(entry.file, entry.frame).first;
+            std::string wrong_name = misnamed(one, entry);
+            if (wrong_name.empty() && (!own.insert(entry.frame).second || frame_of_file->second != entry.frame))
+                wrong_name = one.name + " has " + Json(entry.file).dump() + " a second time";
+            if (!wrong_name.empty()) {
+                report.sentences.push_back(wrong_name);
+                continue;
+            }
             const std::string path = whole_path(entry.file, folder + "/" + one.name);
-            if (!is_same(path, entry.sha256)) {
+            if (!is_still(path, entry.sha256)) {
                 report.sentences.push_back(path + (fs::exists(path) ? " was changed after it was drawn" : " is gone"));
                 continue;
             }

@@ -21,7 +21,8 @@ public:
     using Json = nlohmann::ordered_json;
 
     // `about`: what the frames depend on. Entries of an older manifest at `path` stay if its `about` is the same.
-    Manifest(std::string path, Json about, const std::vector<int> &asked);
+    // `out`: the pattern of the frames' files.
+    Manifest(std::string path, Json about, const std::vector<int> &asked, const std::string &out);
 
     // Whether the frame has an entry, and its file is still what it was.
     bool has(int frame, const std::string &file) const;
@@ -32,7 +33,7 @@ private:
 
     std::string path_;
     Json about_;
-    std::string asked_;
+    std::string asked_, pattern_;
     struct Entry {
         std::string file, sha256;
     };

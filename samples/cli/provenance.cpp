@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -107,6 +108,12 @@ std::string sha256_of_file(const std::string &path)
     std::array<char, SHA256_DIGEST_STRING_LENGTH> text{};
     SHA256_End(&sum, text.data());
     return text.data();
+}
+
+bool is_still(const std::string &path, const std::string &sha256)
+{
+    std::error_code none;
+    return std::filesystem::is_regular_file(path, none) && sha256_of_file(path) == sha256;
 }
 
 void use_portable_drivers() { setenv(caps, portable_caps, 0); }

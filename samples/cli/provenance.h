@@ -10,6 +10,7 @@ namespace cli
 
 std::string sha256_of(const void *bytes, size_t size);
 std::string sha256_of_file(const std::string &path);  // throws scenes::Failure
+bool is_still(const std::string &path, const std::string &sha256);
 
 // Restricts Mesa to what every x86-64 processor of the last fifteen years can do, so that it computes the same bits on
 // all of them. To be called before any context is made. A value that the environment has already stays.

@@ -96,7 +96,7 @@ void Rendering::choose_frames()
     if (!a_.manifest.empty()) {
         std::vector<int> numbers;
         for (const Frame &frame : frames_) numbers.push_back(frame.number);
-        manifest_.emplace(a_.manifest, film_about(a_, options_, subject().context), numbers);
+        manifest_.emplace(a_.manifest, film_about(a_, options_, subject().context), numbers, a_.out);
     }
     report_["skipped"] = Json::array();
     for (const Frame &frame : std::exchange(frames_, {})) {

@@ -47,23 +47,23 @@ protected:
     }
 };
 
-const char *const all_formats = "coco,panoptic,mot,kitti-flow,flo,depth,normals,boxes3d,heads,npz,sheet";
+const char *const every_format = "coco,panoptic,mot,kitti-flow,flo,depth,normals,boxes3d,heads,npz,sheet";
 
 TEST_F(LabelProcesses, WriteTheFolderThatOneProcessWrites)
 {
-    label("one", {"--frames", "0:6", "--write", all_formats});
+    label("one", {"--frames", "0:6", "--write", every_format});
     const auto one = contents("one");
     ASSERT_EQ(one.count("arrays/000006.npz"), 1u);
     for (const char *count : {"1", "2", "3"}) {
         const std::string folder = std::string("by-") + count;
-        const Json report = label(folder, {"--frames", "0:6", "--write", all_formats, "--processes", count});
+        const Json report = label(folder, {"--frames", "0:6", "--write", every_format, "--processes", count});
         EXPECT_EQ(report["processes"], std::stoi(count));
         EXPECT_EQ(report["frames"].size(), 7u);
         EXPECT_TRUE(contents(folder) == one) << count << " processes";
     }
     // More processes than pictures, which go on in a folder that has some.
-    label("parts", {"--frames", "2,4", "--write", all_formats});
-    const Json rest = label("parts", {"--frames", "0:6", "--write", all_formats, "--processes", "7"});
+    label("parts", {"--frames", "2,4", "--write", every_format});
+    const Json rest = label("parts", {"--frames", "0:6", "--write", every_format, "--processes", "7"});
     EXPECT_EQ(rest["frames"].size(), 5u);
     EXPECT_TRUE(contents("parts") == one);
 }

@@ -63,6 +63,24 @@ TEST_F(LabelsCommand, KeepsFinishedPicturesOfTheSameSettings)
     EXPECT_NE(fs::last_write_time(path("f") + "/images/000000.png"), before);
 }
 
+TEST_F(LabelsCommand, MakesAnewPicturesOfWhichAFileWasChanged)
+{
+    const auto make = [&] { return label("f", {"--frames", "0:3", "--write", "coco,npz"}).code; };
+    ASSERT_EQ(make(), 0);
+    const auto whole = contents("f");
+    std::ofstream(path("f") + "/images/000000.png") << "a text";
+    fs::remove(path("f") + "/arrays/000001.npz");
+    fs::copy_file(path("f") + "/arrays/000003.npz", path("f") + "/arrays/000002.npz",
+                  fs::copy_options::overwrite_existing);
+    std::string words = file_text(path("f") + "/frames/000003.json");
+    const size_t at = words.find("\"visible_px\":") + 13;
+    ASSERT_LT(at, words.size());
+    words[at] = words[at] == '9' ? '8' : '9';
+    std::ofstream(path("f") + "/frames/000003.json") << words;
+    ASSERT_EQ(make(), 0);
+    EXPECT_TRUE(contents("f") == whole);
+}
+
 TEST_F(LabelsCommand, RefusesToMixLabelsOfDifferentSettingsInAFolder)
 {
     ASSERT_EQ(label("f", {"--frames", "0:1"}).code, 0);
