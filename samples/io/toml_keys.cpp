@@ -62,4 +62,17 @@ uint32_t line_of_stray_letter(std::string_view text)
     return line_of(text, [](char c) { return (c & 0x80) != 0; });
 }
 
+uint32_t line_of_table_too_many(std::string_view text)
+{
+    uint32_t tables = 0, lists = 0;
+    bool begins = true;  // the line
+    return line_of(text, [&](char c) {
+        if (c == '{' || (c == '[' && begins && lists == 0)) ++tables;
+        if (c == '[') ++lists;
+        if (c == ']' && lists > 0) --lists;
+        begins = c == '\n' || (begins && (c == ' ' || c == '\t' || c == '\r'));
+        return tables > max_tables;
+    });
+}
+
 }  // namespace io

@@ -18,4 +18,10 @@ uint32_t line_of_deep_key(std::string_view text);
 // there is none. A byte order mark at the start is none.
 uint32_t line_of_stray_letter(std::string_view text);
 
+// Ten for each of the people that a scenario may have. More take seconds to read.
+constexpr uint32_t max_tables = 100000;
+
+// The number of the line with the first table, [a], [[a]] or { }, beyond max_tables; 0: there is none.
+uint32_t line_of_table_too_many(std::string_view text);
+
 }  // namespace io

@@ -1,5 +1,6 @@
 // Scenario files: those that come with claque say what is in them, and a file that breaks a rule is refused with file,
 // line, column and the rule.
+#include <ctime>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -204,6 +205,13 @@ namespace
 const std::string one_person =
     "name = 'x'\n[[characters]]\nname = 'c'\ncharacter = 'citizen'\n[[people]]\nclass = 'c'\nat = [0, 0, 0]\n";
 
+std::string crowd_of(int people)
+{
+    std::string text = "name = 'x'\n[[characters]]\nname = 'c'\ncharacter = 'citizen'\n";
+    for (int i = 0; i < people; ++i) text += "[[people]]\nclass = 'c'\nat = [0, 0, 0]\n";
+    return text;
+}
+
 }  // namespace
 
 TEST(Scenario, OfPeopleWithNumbersThatAreNotWhatTheySayIsRefused)
@@ -221,4 +229,17 @@ TEST(Scenario, OfPeopleWithNumbersThatAreNotWhatTheySayIsRefused)
     expect_refused(one_person + "orientation = [0, 0, 0, 0]\n",
                    {"mine.toml:8:15: [[people]] 1 has an orientation of length 0 instead of 1"});
     expect_refused(one_person + "orientation = [0, 0.6, 0, 0.802]\n", {"of length 1.0016 instead of 1"});
+}
+
+TEST(Scenario, OfThreeHundredThousandPeopleIsRefusedWithinASecond)
+{
+    EXPECT_EQ(refusal_of(crowd_of(10000)), "read");
+    expect_refused(crowd_of(10001), {"has 10001 people; it needs 1 to 10000"});
+    std::string in_line = "name = 'x'\npeople = [";
+    for (int i = 0; i < 300000; ++i) in_line += "{ class = 'c', at = [0, 0, 0] },";
+    for (const std::string &text : {crowd_of(300000), in_line + "]\n"}) {
+        const std::clock_t before = std::clock();
+        expect_refused(text, {"the file has more than 100000 tables"});
+        EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC);
+    }
 }

@@ -55,6 +55,9 @@ toml::table parse_toml(const std::string &toml, const std::string &where)
     if (const uint32_t line = io::line_of_stray_letter(toml))
         throw Failure(where + ":" + std::to_string(line) +
                       ":1: not TOML: a letter outside of strings and comments is not ASCII");
+    if (const uint32_t line = io::line_of_table_too_many(toml))
+        throw Failure(where + ":" + std::to_string(line) + ":1: the file has more than " +
+                      std::to_string(io::max_tables) + " tables");
     toml::parse_result result = toml::parse(toml);
     if (!result)
         throw Failure(place_of(where, result.error().source()) +

@@ -139,7 +139,10 @@ void read_looks(TomlTable &table, Person &out)
 
 void read_people(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 {
-    for (TomlTable &described : all.tables("people", "[[people]]")) {
+    std::vector<TomlTable> people = all.tables("people", "[[people]]");
+    if (people.empty() || people.size() > most_roles)
+        all.refuse("has " + std::to_string(people.size()) + " people; it needs 1 to 10000", "people");
+    for (TomlTable &described : people) {
         Person made;
         made.at_file = described.place();
         made.member = member_of(described, scenario);
@@ -152,8 +155,6 @@ void read_people(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
         described.done();
         scenario.people.push_back(std::move(made));
     }
-    if (scenario.people.empty() || scenario.people.size() > most_roles)
-        all.refuse("has " + std::to_string(scenario.people.size()) + " people; it needs 1 to 10000", "people");
 }
 
 }  // namespace scenes
