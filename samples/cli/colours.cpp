@@ -16,7 +16,7 @@ namespace
 {
 
 struct MapArguments {
-    std::string from, scenario, colours, out;
+    std::string from, scenario, mechanisms, colours, out;
     uint32_t each = 0;
     uint64_t seed = 1;
     int width = 1280, height = 800;
@@ -91,8 +91,9 @@ void save(const MapArguments &a)
 {
     if (a.out != "-") expect_writable(a.out);
     scenes::Library library(1);
-    const scenes::ColourMap map =
-        a.scenario.empty() ? map_from(library, a.from) : map_of_scenario(library, scenes::load_scenario(a.scenario));
+    const scenes::ColourMap map = a.scenario.empty()
+                                      ? map_from(library, a.from)
+                                      : map_of_scenario(library, scenes::load_scenario(a.scenario, a.mechanisms));
     std::string text;
     const auto take = [](void *to, const void *bytes, size_t count) {
         static_cast<std::string *>(to)->append(static_cast<const char *>(bytes), count);
@@ -144,6 +145,7 @@ void add_colours(CLI::App &app, Work &chosen)
     c->add_option("FROM", a->from,
                   "odeon, roman-classes, a map (TOML, written in its normal form), or a character: its own ranges");
     c->add_option("--scenario", a->scenario, "The classes of a scenario (TOML) instead of FROM")->type_name("FILE");
+    add_mechanisms_option(*c, a->mechanisms);
     c->add_option("--out,-o", a->out, "TOML file; - is standard output")->required();
     c->callback([a, &chosen] {
         if (a->from.empty() == a->scenario.empty())

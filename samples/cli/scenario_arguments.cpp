@@ -4,6 +4,16 @@
 namespace cli
 {
 
+CLI::Option *add_mechanisms_option(CLI::App &command, std::string &folder)
+{
+    return command
+        .add_option("--allow-mechanisms", folder,
+                    "Let a scenario's people load shared objects, which are programs, from this folder and below "
+                    "(docs/scenarios.md)")
+        ->check(CLI::ExistingDirectory)
+        ->type_name("FOLDER");
+}
+
 CLI::Option *add_scenario_option(CLI::App &command, SceneArguments &a)
 {
     return command
@@ -21,7 +31,8 @@ void expect_subject(const std::string &scene, const SceneArguments &a)
 
 void read_scenario(SceneArguments &a)
 {
-    if (!a.scenario.empty()) a.described = std::make_shared<const scenes::Scenario>(scenes::load_scenario(a.scenario));
+    if (a.scenario.empty()) return;
+    a.described = std::make_shared<const scenes::Scenario>(scenes::load_scenario(a.scenario, a.mechanisms));
 }
 
 bool is_theatre(const SceneArguments &a) { return a.described ? a.described->theatre.has_value() : a.scene == "odeon"; }

@@ -18,6 +18,7 @@ void add_hide_option(CLI::App &command, SceneArguments &a)
 void add_scene_options(CLI::App &command, SceneArguments &a)
 {
     add_size_option(command, a.width, a.height);
+    add_mechanisms_option(command, a.mechanisms);
     command
         .add_option("--camera", a.camera,
                     "View of the scene: overview, close, path, a place of the amphitheatre (at:above, at:emperor, "

@@ -24,6 +24,7 @@ struct SceneArguments {
     std::string file, scene;  // one or neither
     std::vector<std::string> hidden;
     std::string path, scenario;                         // files
+    std::string mechanisms;                             // the folder of --allow-mechanisms; empty: not given
     std::shared_ptr<const scenes::Scenario> described;  // the scenario, once it is read
     // People on tracks in place of the scenes above (track_arguments.h).
     MakeScene make;
@@ -60,6 +61,9 @@ inline scenes::Lod levels_of_file(const SceneArguments &a)
 
 // --hide, for subcommands that take a character's file.
 void add_hide_option(CLI::App &command, SceneArguments &arguments);
+
+// --allow-mechanisms, for subcommands that read a scenario without the options below.
+CLI::Option *add_mechanisms_option(CLI::App &command, std::string &folder);
 
 // --scenario, for subcommands that take the name of a scene.
 CLI::Option *add_scenario_option(CLI::App &command, SceneArguments &arguments);

@@ -52,6 +52,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     request.say = [](const std::string &line) { std::cout << line << std::endl; };
     request.folder = a.folder;
     request.colours = a.what.colours;
+    request.mechanisms = a.what.setup.mechanisms;
     request.script_file = a.script;
     request.rates = a.rates;
     if (!a.script.empty()) request.script = text_of(a.script);
@@ -75,6 +76,7 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
         "be dropped on the window: textures and clips (BVH) of the character, a colour map, a camera path");
     c.add_option("--scene", a->what.setup.scene, "Scene to show (default plaza)")->check(scene_names());
     add_scenario_option(c, a->what.setup);
+    add_mechanisms_option(c, a->what.setup.mechanisms);
     c.add_option("--count", a->what.setup.count, "Number of people (default: the scene's own)")
         ->check(CLI::Range(1, 1000000));
     add_hide_option(c, a->what.setup);
@@ -110,7 +112,8 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
                      "(docs/view.md)")
             ->expected(0, 1)
             ->type_name("[ADDRESS:PORT]")
-            ->excludes("--script");
+            ->excludes("--script")
+            ->excludes("--allow-mechanisms");
     c.add_option("--password-file", a->password_file,
                  "Password of --serve: the first line of a file, at most 8 letters (default: a new one)")
         ->type_name("FILE")

@@ -78,6 +78,7 @@ ViewWhat with_dropped(ViewWhat what, const std::string &path)
     if (!is_subject(path)) return with_file(std::move(what), path);
     what.setup.file.clear(), what.setup.scene.clear(), what.setup.scenario.clear(), what.setup.path.clear();
     what.setup.described.reset();
+    what.setup.mechanisms.clear();  // allowed for what the command line names
     what.tracks.file.clear();
     what.textures.clear(), what.clips.files.clear();
     what = with_file(std::move(what), path);

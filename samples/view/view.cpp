@@ -96,6 +96,7 @@ void run_window(const Request &request, const std::unique_ptr<tiles::TileCrew> &
 void begin(const Request &request, Session &session)
 {
     session.on_drop(request.drop);
+    session.model().ground.mechanisms = request.mechanisms;
     if (request.colours.empty()) return;
     session.put_on(request.colours);
     session.model().designer.history = {};

@@ -27,6 +27,7 @@ struct Request {
     std::string rates;                    // a file for what the frames of a measured script cost, as JSON; empty: none
     std::optional<serve::Options> serve;  // over VNC in place of a screen
     std::string colours;                  // a colour map for the designer; no name: none
+    std::string mechanisms;               // the folder of shared objects that may be loaded; empty: none
     std::string folder = ".";             // where pictures, films, paths and colour maps are saved
     std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)> save_picture;
     std::function<void(const std::string &path, const std::string &text)> save_text;

@@ -68,6 +68,14 @@ TEST_F(OsgPluginFiles, RefusesADescriptionByItsLine)
     EXPECT_NE(refusal("character = \n").find("refused.claque:1"), std::string::npos);
 }
 
+TEST_F(OsgPluginFiles, LoadsNoMechanismThatAScenarioNames)
+{
+    EXPECT_NE(refusal("name = \"m\"\n[[characters]]\nname = \"h\"\ncharacter = \"herald\"\n[[people]]\nclass = \"h\"\n"
+                      "at = [0, 0, 0]\nmechanism = \"./nod.so\"\n")
+                  .find("refused.claque:8:13: the mechanism ./nod.so is not loaded"),
+              std::string::npos);
+}
+
 TEST_F(OsgPluginFiles, ColoursPeopleByPaletteAndByMap)
 {
     const File palette("red.claque",

@@ -158,11 +158,13 @@ TEST_F(GroundOf, ThingsAreGivenToJointsAndSeen)
 TEST_F(GroundOf, AMechanismIsLoadedAndAWrongOneRefused)
 {
     pick("herald");
-    play({"click \"Flight\"", std::string("type \"mechanism\" \"") + CLAQUE_NOD + "\"", "click \"load\"", "wait 0.2",
-          "see \"nod\""});
+    const std::string type = std::string("type \"mechanism\" \"") + CLAQUE_NOD + "\"";
+    play({"click \"Flight\"", type, "click \"load\"", "wait 0.2", "see \"--allow-mechanisms\""});
+    ground().mechanisms = "/";
+    play({"click \"load\"", "wait 0.2", "see \"nod\""});
     EXPECT_EQ(ground().mechanism_name, "nod");
     play({"click \"take it off\"", "type \"mechanism\" \"/nowhere.so\"", "click \"load\"", "wait 0.1",
-          "see \"the mechanism cannot be loaded\""});
+          "see \"the mechanism /nowhere.so cannot be loaded\""});
     EXPECT_EQ(ground().mechanism_name, "");
 }
 

@@ -250,18 +250,16 @@ TEST_F(Roles, ObjectsGrowTheSpheresOfThoseThatCarryThem)
 TEST_F(Roles, MechanismsOfSharedObjectsAreRefusedInOneSentence)
 {
     enter("herald", "hover");
-    role_.mechanism = "/nowhere/at/all.so";
-    EXPECT_EQ(refusal().rfind("the mechanism cannot be loaded: /nowhere/at/all.so", 0), 0u) << refusal();
-    role_.mechanism = CLAQUE_LIBRARY;
-    EXPECT_EQ(refusal(), std::string("the mechanism ") + CLAQUE_LIBRARY +
+    role_.mechanism = MechanismFile("/", CLAQUE_LIBRARY);
+    EXPECT_EQ(refusal(), "the mechanism " + MechanismFile("/", CLAQUE_LIBRARY).path() +
                              " exports no function claque_mechanism_v1 (samples/scenes/roles/mechanism.h)");
-    EXPECT_EQ(performer_->given().mechanism, "");
-    role_.mechanism = CLAQUE_NOD;
+    EXPECT_TRUE(performer_->given().mechanism.empty());
+    role_.mechanism = MechanismFile("/", CLAQUE_NOD);
     EXPECT_EQ(refusal(), "");
-    EXPECT_STREQ(kit_->own_name(CLAQUE_NOD), "nod");
+    EXPECT_STREQ(kit_->own_name(MechanismFile("/", CLAQUE_NOD)), "nod");
     enter("citizen", "stand");
-    role_.mechanism = CLAQUE_NOD;
-    EXPECT_EQ(refusal(), std::string("the mechanism ") + CLAQUE_NOD +
+    role_.mechanism = MechanismFile("/", CLAQUE_NOD);
+    EXPECT_EQ(refusal(), "the mechanism " + MechanismFile("/", CLAQUE_NOD).path() +
                              " nods with neck_pitch or head.pitch, and this character has neither");
 }
 
@@ -283,12 +281,12 @@ TEST_F(Roles, MechanismsOfSharedObjectsMoveTheCharacter)
         return hash;
     };
     const uint64_t before = shown(1.2);
-    role_.mechanism = CLAQUE_NOD;
+    role_.mechanism = MechanismFile("/", CLAQUE_NOD);
     const uint64_t nods = shown(1.2);
     EXPECT_NE(nods, before);
     EXPECT_NE(shown(1.5), nods);
     EXPECT_EQ(shown(1.2), nods) << "a function of the time";
-    role_.mechanism.clear();
+    role_.mechanism = {};
     EXPECT_EQ(shown(1.2), before);
 }
 

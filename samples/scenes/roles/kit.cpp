@@ -134,11 +134,12 @@ clq_mechanism Kit::phrase(const std::string &text)
     return made;
 }
 
-clq_mechanism Kit::own(const std::string &path)
+clq_mechanism Kit::own(const MechanismFile &file)
 {
+    const std::string &path = file.path();
     const auto found = owns_.find(path);
     if (found != owns_.end()) return found->second;
-    auto loaded = std::make_unique<SharedMechanism>(path, tmpl_);
+    auto loaded = std::make_unique<SharedMechanism>(file, tmpl_);
     clq_mechanism_def def = def_of(CLQ_MECHANISM_HOST);
     def.host = loaded->host();
     const clq_mechanism made = add(def);
@@ -146,10 +147,10 @@ clq_mechanism Kit::own(const std::string &path)
     return owns_[path] = made;
 }
 
-const char *Kit::own_name(const std::string &path)
+const char *Kit::own_name(const MechanismFile &file)
 {
-    own(path);
-    return loaded_[path]->name();
+    own(file);
+    return loaded_[file.path()]->name();
 }
 
 const clq_locomotion *Kit::walk()

@@ -31,8 +31,8 @@ public:
     clq_mechanism expression();
     uint32_t expression_named(const std::string &name) const;
     clq_mechanism phrase(const std::string &text);
-    clq_mechanism own(const std::string &path);
-    const char *own_name(const std::string &path);
+    clq_mechanism own(const MechanismFile &file);
+    const char *own_name(const MechanismFile &file);
     const clq_locomotion *walk();
     // Its values are those of by_hand.
     clq_mechanism hand();

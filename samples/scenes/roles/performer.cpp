@@ -123,9 +123,9 @@ void Performer::look(const Face &face)
     check(clq_actor_gaze(crowd_, actor_, kit_.gaze(), face.target ? face.target->data() : nullptr, face.target_at_s));
 }
 
-void Performer::use_own(const std::string &path)
+void Performer::use_own(const MechanismFile &file)
 {
-    if (!path.empty()) attach(kit_.own(path), own_next);
+    if (!file.empty()) attach(kit_.own(file), own_next);
     if (!given_.mechanism.empty()) detach(kit_.own(given_.mechanism));
 }
 

@@ -38,7 +38,7 @@ private:
     void fly(const Flight &flight);
     clq_root_path path_of(const Flight &flight);
     void carry(const std::vector<Carried> &load);
-    void use_own(const std::string &path);
+    void use_own(const MechanismFile &file);
     void hold(const std::map<std::string, float> &dofs);
     void attach(clq_mechanism mechanism, float priority) const;
     void detach(clq_mechanism mechanism) const;

@@ -94,7 +94,7 @@ std::string rest(const Role &role)
     std::string out;
     if (role.flight.flies())
         out += line("flight", list(role.flight.corners)) + line("flight_m_s", number(role.flight.speed_m_s));
-    if (!role.mechanism.empty()) out += line("mechanism", quoted(role.mechanism));
+    if (!role.mechanism.empty()) out += line("mechanism", quoted(role.mechanism.path()));
     std::string load, dofs;
     for (const Carried &one : role.load)
         load += "    { joint = " + quoted(one.joint) + ", object = " + quoted(one.object) + " },\n";

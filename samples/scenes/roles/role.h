@@ -12,6 +12,8 @@
 #include <tuple>
 #include <vector>
 
+#include "samples/scenes/roles/mechanism_file.h"
+
 namespace scenes::roles
 {
 
@@ -100,7 +102,7 @@ struct Role {
     Face face;
     Flight flight;
     std::vector<Carried> load;
-    std::string mechanism;              // a shared object (mechanism.h); empty: none
+    MechanismFile mechanism;            // a shared object (mechanism.h)
     std::map<std::string, float> dofs;  // held by hand
 
     bool operator==(const Role &o) const

@@ -7,11 +7,10 @@
 namespace scenes::roles
 {
 
-SharedMechanism::SharedMechanism(const std::string &path, const clq_template *tmpl)
+SharedMechanism::SharedMechanism(const MechanismFile &file, const clq_template *tmpl)
 {
-    // Without a slash the loader would search the system's folders.
-    const std::string file = path.find('/') == std::string::npos ? "./" + path : path;
-    object_ = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+    const std::string &path = file.path();
+    object_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!object_) throw Failure("the mechanism cannot be loaded: " + std::string(dlerror()));
     const auto refuse = [&](const std::string &sentence) {
         dlclose(object_);

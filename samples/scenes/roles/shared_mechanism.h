@@ -5,6 +5,7 @@
 #include <string>
 
 #include "samples/scenes/roles/mechanism.h"
+#include "samples/scenes/roles/mechanism_file.h"
 
 namespace scenes::roles
 {
@@ -14,7 +15,7 @@ class SharedMechanism
 {
 public:
     // Throws Failure with one sentence if the file is missing, is no such object, or does not fit the template.
-    SharedMechanism(const std::string &path, const clq_template *tmpl);
+    SharedMechanism(const MechanismFile &file, const clq_template *tmpl);
     ~SharedMechanism();
     SharedMechanism(const SharedMechanism &) = delete;
     SharedMechanism &operator=(const SharedMechanism &) = delete;

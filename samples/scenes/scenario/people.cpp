@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "samples/io/whole_number.h"
+#include "samples/scenes/check.h"
 #include "samples/scenes/scenario/sections.h"
 
 namespace scenes
@@ -90,6 +91,12 @@ void read_face(TomlTable &table, Face &out)
     if (table.has("phrase_s")) out.phrase_at_s = table.number("phrase_s", at_times);
 }
 
+// Without the option the file is not even looked for.
+MechanismFile mechanism_of(TomlTable &table, const ScenarioFiles &files)
+{
+    return {files.mechanisms, files.mechanisms.empty() ? table.text("mechanism") : file_of(table, "mechanism", files)};
+}
+
 void read_rest(TomlTable &table, const ScenarioFiles &files, Role &out)
 {
     if (table.has("flight")) {
@@ -106,7 +113,8 @@ void read_rest(TomlTable &table, const ScenarioFiles &files, Role &out)
             out.load.push_back({one.text("joint"), one.text("object")});
             one.done();
         }
-    if (table.has("mechanism")) out.mechanism = file_of(table, "mechanism", files);
+    if (table.has("mechanism"))
+        out.mechanism = asked_at(table.place("mechanism"), [&] { return mechanism_of(table, files); });
     if (!table.has("dofs")) return;
     TomlTable dofs = table.table("dofs", "its degrees of freedom");
     for (const std::string &name : dofs.names()) out.dofs[name] = static_cast<float>(dofs.number(name, of_world));

@@ -71,13 +71,14 @@ ScenarioFiles files_beside(const std::string &path)
     return {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, why_not_there};
 }
 
-Scenario load_scenario(const std::string &path)
+Scenario load_scenario(const std::string &path, const std::string &mechanisms)
 {
     std::string text;
     const std::string wrong = io::read_whole(path, text);
     if (!wrong.empty()) throw Failure(wrong);
     std::vector<std::string> found;
     ScenarioFiles files = files_beside(path);
+    files.mechanisms = mechanisms;
     files.find = [&](const std::string &file) {
         found.push_back(file);
         return why_not_there(file);

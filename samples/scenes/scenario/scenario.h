@@ -54,6 +54,7 @@ struct ScenarioFiles {
     // Both return a sentence that says why not, or "".
     std::function<std::string(const std::string &path, std::string &text)> read;
     std::function<std::string(const std::string &path)> find;
+    std::string mechanisms = "";  // the folder of shared objects that may be loaded; empty: none
 };
 
 // Files whose names are relative to the folder of the file `path`.
@@ -62,8 +63,8 @@ ScenarioFiles files_beside(const std::string &path);
 // `where` names it in error messages. Throws Failure with line, column and rule if the text is not TOML, lacks
 // something, contradicts itself, or names a file that is not there.
 Scenario read_scenario(const std::string &toml, const std::string &where, const ScenarioFiles &files);
-// Of a file; names in it are relative to its folder.
-Scenario load_scenario(const std::string &path);
+// Of a file; names in it are relative to its folder. `mechanisms`: as in ScenarioFiles.
+Scenario load_scenario(const std::string &path, const std::string &mechanisms = "");
 
 // The scenario that comes with claque (odeon/odeon.toml), and its text.
 const Scenario &odeon_scenario();

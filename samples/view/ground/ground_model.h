@@ -48,6 +48,7 @@ struct Ground {
     float height_m = 4;  // of the next corner of a path
     bool save_scenario = false, examine = false;
     bool level_row = false;
+    std::string mechanisms;  // the folder of shared objects that may be loaded; empty: none
 
     // Of the picked individual, written by the workbench.
     Abilities can;

@@ -7,6 +7,7 @@ namespace
 {
 
 using scenes::roles::Flight;
+using scenes::roles::MechanismFile;
 using scenes::roles::Role;
 
 void path(Ui &ui, Model &model, Flight &flight)
@@ -41,9 +42,13 @@ void load(Ui &ui, Model &model, Role &role, const std::vector<std::string> &join
 void own_mechanism(Ui &ui, Model &model, Role &role)
 {
     ui.text_field("mechanism", model.ground.mechanism);
-    if (ui.button("load")) role.mechanism = model.ground.mechanism;
+    if (ui.button("load")) try {
+            role.mechanism = MechanismFile(model.ground.mechanisms, model.ground.mechanism);
+        } catch (const scenes::Failure &failure) {
+            model.message = failure.what();
+        }
     if (role.mechanism.empty()) return;
-    if (ui.button("take it off", true)) role.mechanism.clear();
+    if (ui.button("take it off", true)) role.mechanism = {};
     if (!model.ground.mechanism_name.empty()) ui.row("runs", model.ground.mechanism_name);
 }
 
