@@ -50,7 +50,7 @@ view::Request request_of(const ViewArguments &a, const std::shared_ptr<Progress>
     request.context = contexts::kind_named(a.what.setup.context).value();
     if (a.serve->count() > 0) request.serve = a.served;
     request.say = [](const std::string &line) { std::cout << line << std::endl; };
-    request.folder = a.folder;
+    request.folder = {a.folder, request.serve.has_value()};
     request.colours = a.what.colours;
     request.mechanisms = a.what.setup.mechanisms;
     request.script_file = a.script;
@@ -115,8 +115,14 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
             ->excludes("--script")
             ->excludes("--allow-mechanisms");
     c.add_option("--password-file", a->password_file,
-                 "Password of --serve: the first line of a file, at most 8 letters (default: a new one)")
+                 "Password of --serve: the first line of a file, exactly 8 letters (default: a new one)")
         ->type_name("FILE")
+        ->needs("--serve");
+    c.add_option("--origin", a->served.origins,
+                 "Pages of this origin may open the window of --serve, besides those of the same host (may repeat)")
+        ->expected(1)
+        ->take_all()
+        ->type_name("SCHEME://HOST[:PORT]")
         ->needs("--serve");
     c.add_option("--rates", a->rates, "What the frames of a measured script cost, as JSON")
         ->type_name("FILE")
@@ -143,8 +149,9 @@ void read_serving(ViewArguments &a)
     if (a.password_file.empty()) return;
     const std::string text = text_of(a.password_file);
     a.served.password = text.substr(0, text.find_first_of("\r\n"));
-    if (a.served.password.empty())
-        throw CLI::ValidationError("--password-file", a.password_file + " has no password in its first line");
+    const std::string wrong = view::serve::wrong_password(a.served.password);
+    if (!wrong.empty())
+        throw CLI::ValidationError("--password-file", "the first line of " + a.password_file + " " + wrong);
 }
 
 int subjects_of(const ViewWhat &what)

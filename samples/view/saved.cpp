@@ -17,7 +17,7 @@ std::string Saved::named(const Model &model)
 void Saved::picture(Surface &surface, int below, int width, int height, const std::string &name)
 {
     surface.read(below, width, height, rgb_);
-    request_.save_picture(request_.folder + "/" + name, rgb_, width, height);
+    request_.save_picture(request_.folder.at(name), rgb_, width, height);
     ++pictures_;
 }
 
@@ -33,12 +33,12 @@ void Saved::wishes(Surface &surface, const Input &input, const World &world, Mod
         }
         if (model.wishes.save_path) {
             const std::string name = named(model) + ".toml";
-            request_.save_text(request_.folder + "/" + name, path_text(model.view));
+            request_.save_text(request_.folder.at(name), path_text(model.view));
             model.message = name + " is saved";
         }
         if (model.ground.save_scenario) {
             const std::string name = named(model) + ".toml";
-            request_.save_text(request_.folder + "/" + name, scenario_text(world, model));
+            request_.save_text(request_.folder.at(name), scenario_text(world, model));
             model.message = name + " is saved: claque render --scenario " + name;
         }
         film(surface, input, world, model);
@@ -59,7 +59,7 @@ void Saved::film(Surface &surface, const Input &input, const World &world, Model
     }
     if (!film_) {
         film_name_ = named(model) + ".mp4";
-        film_ = std::make_unique<Film>(request_.folder + "/" + film_name_, world.width(), world.height());
+        film_ = std::make_unique<Film>(request_.folder.at(film_name_), world.width(), world.height());
         model.message = film_name_ + " is being made, until the size of the window or the button ends it";
     }
     surface.read(input.height - world.height(), world.width(), world.height(), rgb_);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "samples/view/designer/files.h"
 #include "samples/view/serve/options.h"
 #include "samples/view/world.h"
 
@@ -28,7 +29,7 @@ struct Request {
     std::optional<serve::Options> serve;  // over VNC in place of a screen
     std::string colours;                  // a colour map for the designer; no name: none
     std::string mechanisms;               // the folder of shared objects that may be loaded; empty: none
-    std::string folder = ".";             // where pictures, films, paths and colour maps are saved
+    Folder folder = {"."};                // where pictures, films, paths and colour maps are saved
     std::function<void(const std::string &path, const std::vector<uint8_t> &rgb, int width, int height)> save_picture;
     std::function<void(const std::string &path, const std::string &text)> save_text;
     double (*now)() = nullptr;  // seconds, for the costs of frames; null: they are not measured

@@ -10,15 +10,30 @@ namespace view
 
 using SaveText = std::function<void(const std::string &path, const std::string &text)>;
 
-// A name with a slash is a path of its own, others are in the folder.
-std::string path_in(const std::string &folder, const std::string &name);
+// Where the window's files are.
+class Folder
+{
+public:
+    // `is_all`: who uses the window may be somebody else than its user, so that no name leads out of the folder, to
+    // what is no regular file, or to a file of another user.
+    Folder(std::string path, bool is_all = false) : path_(std::move(path)), is_all_(is_all) {}
+
+    // Of a name that the window has made. Throws scenes::Failure.
+    std::string at(const std::string &name) const;
+    // Of a name that was typed: with a slash it is a path of its own, unless the folder is all there is.
+    std::string typed(const std::string &name) const;
+
+private:
+    std::string path_;
+    bool is_all_;
+};
 
 // Replaces the design by a file's, which can be undone. Throws scenes::Failure; the design then stays.
 void load_design(Designer &designer, clq_context *context, const std::string &path);
 
 // Loads and saves as the designer wishes, and says in `message` what was done or why not. `save` writes all of a file
 // or nothing, or throws scenes::Failure.
-void keep_designs(Designer &designer, clq_context *context, const std::string &folder, const SaveText &save,
+void keep_designs(Designer &designer, clq_context *context, const Folder &folder, const SaveText &save,
                   std::string &message);
 
 using SavePicture =
@@ -26,7 +41,7 @@ using SavePicture =
 
 // Saves the painted zones of the texture that is shown, if the designer wishes it: TEMPLATE-zones.png, each zone in a
 // colour, and TEMPLATE-zones.txt, which names them, as options for `claque prepare`.
-void keep_zones(Designer &designer, const std::string &folder, const SavePicture &save_picture, const SaveText &save,
+void keep_zones(Designer &designer, const Folder &folder, const SavePicture &save_picture, const SaveText &save,
                 std::string &message);
 
 }  // namespace view

@@ -71,11 +71,19 @@ std::string place_text(const std::string &address, int port)
 
 bool is_loopback(const std::string &address) { return address == "::1" || address.rfind("127.", 0) == 0; }
 
+std::string wrong_password(const std::string &password)
+{
+    for (const char letter : password)
+        if (letter <= ' ' || letter > '~') return "has letters besides those of ASCII, which VNC does not pass";
+    if (password.size() == password_letters) return "";
+    return "has " + std::to_string(password.size()) + " letters; a password of VNC has exactly 8";
+}
+
 std::string make_password()
 {
     // 32 that are not taken for each other: five bits each.
     static const char letters[] = "abcdefghijkmnpqrstuvwxyz23456789";
-    unsigned char random[8];
+    unsigned char random[password_letters];
     if (getrandom(random, sizeof random, 0) != static_cast<ssize_t>(sizeof random))
         throw scenes::Failure(std::string("no password could be made: ") + std::strerror(errno));
     std::string password;

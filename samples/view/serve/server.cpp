@@ -1,5 +1,6 @@
 #include "samples/view/serve/server.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -27,16 +28,15 @@ namespace
 Options with_password(Options options)
 {
     if (options.password.empty()) options.password = make_password();
-    if (options.password.size() > 8)
-        throw scenes::Failure("the password has " + std::to_string(options.password.size()) +
-                              " letters, and VNC passes 8");
+    const std::string wrong = wrong_password(options.password);
+    if (!wrong.empty()) throw scenes::Failure("the password " + wrong);
     return options;
 }
 
 }  // namespace
 
 Server::Server(Options options, const std::string &title, int width, int height, InputQueue &input)
-    : given_{with_password(std::move(options)), title, width, height, board_, input}
+    : given_{with_password(std::move(options)), title, width, height, board_, input, known_}
 {
     for (auto &viewer : viewers_) viewer = std::make_unique<Viewer>(given_);
     viewers_[0]->greet_once();
@@ -89,11 +89,23 @@ void Server::accept_viewers()
             poll(waiting, 1, 100);  // this process may have too many open files for a while
             continue;
         }
-        bool taken = false;
         // LibVNCServer keeps sockets in sets of FD_SETSIZE.
-        for (auto &viewer : viewers_) taken = taken || (socket < FD_SETSIZE && viewer->take(socket));
-        if (!taken) close(socket);
+        if (socket >= FD_SETSIZE || known_ >= static_cast<int>(most_viewers) || !give_place(socket)) close(socket);
     }
+}
+
+// A free one, or else that of the longest wait for a password: who knows it finds a place, however many wait.
+bool Server::give_place(int socket)
+{
+    for (auto &viewer : viewers_)
+        if (viewer->take(socket)) return true;
+    for (size_t tries = 0; tries < viewers_.size(); ++tries) {
+        const auto longest = std::min_element(viewers_.begin(), viewers_.end(), [](const auto &a, const auto &b) {
+            return a->waits_since() < b->waits_since();
+        });
+        if ((*longest)->take_from_waiting(socket)) return true;
+    }
+    return false;
 }
 
 void Server::show(std::vector<uint8_t> rgb)

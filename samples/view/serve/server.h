@@ -10,6 +10,7 @@ namespace view::serve
 {
 
 constexpr size_t most_viewers = 8;
+constexpr size_t waiting_places = 8;  // for those that have not given the password yet, besides
 
 class Server
 {
@@ -32,12 +33,14 @@ public:
 private:
     void listen();
     void accept_viewers();
+    bool give_place(int socket);
 
     Board board_;
+    std::atomic<int> known_{0};  // viewers that have given the password
     Given given_;
     uint64_t shown_ = 0;
     Descriptor listening_, ending_, end_;  // closing end_ is seen at ending_
-    std::array<std::unique_ptr<Viewer>, most_viewers> viewers_;
+    std::array<std::unique_ptr<Viewer>, most_viewers + waiting_places> viewers_;
     std::thread thread_;
 };
 

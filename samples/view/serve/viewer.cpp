@@ -3,16 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <fcntl.h>
+#include <poll.h>
+#include <string_view>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <netinet/in.h>
 
 #include "samples/scenes/check.h"
-#include "samples/view/serve/keys.h"
-#include "samples/view/serve/vnc.h"
+#include "samples/view/serve/origin.h"
+#include "samples/view/serve/screen.h"
 
 namespace view::serve
 {
@@ -23,139 +24,20 @@ using Clock = std::chrono::steady_clock;
 
 constexpr long poll_us = 5000;       // between two looks at the newest frame
 constexpr int most_wait_ms = 30000;  // for a viewer that neither reads nor writes in the middle of a message
-constexpr size_t tile = 64;          // pixels on a side: what differs is sent by tiles
 
-// An arrow; a viewer that draws no cursor gets it in the picture.
-rfbCursorPtr arrow()
+Clock::duration of_seconds(double seconds)
 {
-    static char dark[] =
-        "x       "
-        "xx      "
-        "x x     "
-        "x  x    "
-        "x   x   "
-        "x    x  "
-        "x xxxxx "
-        "xx      "
-        "x       ";
-    static char inside[] =
-        "x       "
-        "xx      "
-        "xxx     "
-        "xxxx    "
-        "xxxxx   "
-        "xxxxxx  "
-        "xxxxxxx "
-        "xx      "
-        "x       ";
-    return vnc().rfbMakeXCursor(8, 9, dark, inside);
+    return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
 }  // namespace
 
-// LibVNCServer's screen: it has one viewer at a time, and only this thread touches it.
-struct Viewer::Screen {
-    Screen(Viewer &viewer, const Given &given);
-    ~Screen() { vnc().rfbScreenCleanup(info); }
-
-    static Screen &of(rfbClientPtr client) { return *static_cast<Screen *>(client->screen->screenData); }
-    static rfbBool password_is_right(rfbClientPtr client, const char *response, int size);
-    bool wants_a_frame() const;
-    void take_newest();
-    bool take_tile(const uint8_t *rgb, size_t x, size_t y, size_t wide);
-
-    Viewer &viewer;
-    const Given &given;
-    Keys keys;
-    std::vector<uint8_t> pixels;  // four bytes each
-    uint64_t shown = 0;           // the number of the frame in them
-    rfbScreenInfoPtr info = nullptr;
-};
-
-Viewer::Screen::Screen(Viewer &of_viewer, const Given &all) : viewer(of_viewer), given(all), keys(all.input)
+Viewer::Viewer(const Given &given)
+    : given_(given),
+      screen_(std::make_unique<Screen>(
+          given, Screen::Told{[this](bool right) { return answer(right); }, [this] { ++frames_; }}))
 {
-    info = vnc().rfbGetScreen(nullptr, nullptr, given.width, given.height, 8, 3, 4);
-    if (!info) throw scenes::Failure("no memory for a viewer");
-    pixels.assign(4 * static_cast<size_t>(given.width) * static_cast<size_t>(given.height), 0);
-    info->frameBuffer = reinterpret_cast<char *>(pixels.data());
-    info->screenData = this;
-    info->desktopName = given.title.c_str();
-    info->alwaysShared = TRUE;
-    info->permitFileTransfer = FALSE;
-    info->deferUpdateTime = 0;
-    info->maxClientWait = most_wait_ms;
-    info->cursor = arrow();
-    info->authPasswdData = this;  // not null: there is a password
-    info->passwordCheck = password_is_right;
-    info->ptrAddEvent = [](int mask, int x, int y, rfbClientPtr client) {
-        vnc().rfbDefaultPtrAddEvent(mask, x, y, client);
-        of(client).keys.pointer(mask, x, y);
-    };
-    info->kbdAddEvent = [](rfbBool down, rfbKeySym symbol, rfbClientPtr client) {
-        of(client).keys.key(symbol, down != FALSE);
-    };
-    info->displayFinishedHook = [](rfbClientPtr client, int done) {
-        if (done != FALSE) ++of(client).viewer.frames_;
-    };
 }
-
-rfbBool Viewer::Screen::password_is_right(rfbClientPtr client, const char *response, int size)
-{
-    Screen &screen = of(client);
-    unsigned char expected[CHALLENGESIZE];
-    std::memcpy(expected, client->authChallenge, sizeof expected);
-    std::string password = screen.given.options.password;
-    vnc().rfbEncryptBytes(expected, password.data());
-    // Where the system has no DES, the challenge stays as it was, and an echo of it must not do.
-    bool right = size == CHALLENGESIZE && std::memcmp(expected, client->authChallenge, sizeof expected) != 0;
-    unsigned differs = 0;
-    for (int k = 0; right && k < CHALLENGESIZE; ++k) differs |= expected[k] ^ static_cast<unsigned char>(response[k]);
-    right = right && differs == 0;
-    // Eight letters are not guessed by a few tries in a second.
-    if (!right) screen.viewer.wait_for_end(screen.given.options.refusal_s);
-    return right ? TRUE : FALSE;
-}
-
-bool Viewer::Screen::wants_a_frame() const
-{
-    const rfbClientPtr client = info->clientHead;
-    return client && client->state == rfbClientRec::RFB_NORMAL && !vnc().sraRgnEmpty(client->requestedRegion);
-}
-
-// Returns whether it differed.
-bool Viewer::Screen::take_tile(const uint8_t *rgb, size_t x, size_t y, size_t wide)
-{
-    const auto width = static_cast<size_t>(given.width);
-    bool differs = false;
-    const uint8_t *from = rgb + 3 * (y * width + x);
-    uint8_t *to = pixels.data() + 4 * (y * width + x);
-    for (size_t k = 0; k < wide; ++k, from += 3, to += 4) {
-        differs = differs || to[0] != from[0] || to[1] != from[1] || to[2] != from[2];
-        to[0] = from[0], to[1] = from[1], to[2] = from[2];
-    }
-    return differs;
-}
-
-void Viewer::Screen::take_newest()
-{
-    const std::shared_ptr<const Frame> frame = given.board.newest();
-    if (!frame || frame->number == shown) return;
-    shown = frame->number;
-    const auto width = static_cast<size_t>(given.width), height = static_cast<size_t>(given.height);
-    for (size_t y0 = 0; y0 < height; y0 += tile) {
-        const size_t y1 = std::min(height, y0 + tile);
-        for (size_t x0 = 0; x0 < width; x0 += tile) {
-            const size_t x1 = std::min(width, x0 + tile);
-            bool differs = false;
-            for (size_t y = y0; y < y1; ++y) differs = take_tile(frame->rgb.data(), x0, y, x1 - x0) || differs;
-            if (differs)
-                vnc().rfbMarkRectAsModified(info, static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(x1),
-                                            static_cast<int>(y1));
-        }
-    }
-}
-
-Viewer::Viewer(const Given &given) : given_(given), screen_(std::make_unique<Screen>(*this, given)) {}
 
 Viewer::~Viewer()
 {
@@ -184,12 +66,12 @@ void Viewer::greet_once()
     if (socket < 0) throw scenes::Failure("no window could be served: this machine has no connection to itself");
     const Vnc &v = vnc();
     static const char version[] = "RFB 003.008\n";
-    const rfbClientPtr client = v.rfbNewClient(screen_->info, socket);
+    const rfbClientPtr client = v.rfbNewClient(screen_->info(), socket);
     if (!client || write(greeting.number(), version, sizeof version - 1) < 0)
         throw scenes::Failure("no window could be served: LibVNCServer takes no viewer");
-    while (screen_->info->clientHead && client->state == rfbClientRec::RFB_PROTOCOL_VERSION)
-        v.rfbProcessEvents(screen_->info, poll_us);
-    if (!screen_->info->clientHead) return;
+    while (screen_->client() && client->state == rfbClientRec::RFB_PROTOCOL_VERSION)
+        v.rfbProcessEvents(screen_->info(), poll_us);
+    if (!screen_->client()) return;
     v.rfbCloseClient(client);
     v.rfbClientConnectionGone(client);
 }
@@ -203,9 +85,48 @@ bool Viewer::take(int socket)
         if (busy_) return false;
         busy_ = true;
         next_socket_ = socket;
+        taken_ = Clock::now();
     }
     changed_.notify_all();
     return true;
+}
+
+Clock::time_point Viewer::waits_since() const
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return owes() ? taken_ : Clock::time_point::max();
+}
+
+bool Viewer::take_from_waiting(int socket)
+{
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        if (!owes()) return false;
+        next_socket_ = socket;
+        taken_ = Clock::now();
+        if (socket_again_.number() >= 0) shutdown(socket_again_.number(), SHUT_RDWR);
+    }
+    changed_.notify_all();
+    return true;
+}
+
+bool Viewer::has_to_leave() const
+{
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return ends_ || (next_socket_ >= 0 && !knows_);
+}
+
+// Eight letters are not guessed by a few tries in a second.
+bool Viewer::answer(bool right)
+{
+    if (right) {
+        knows_ = true;
+        ++given_.known;
+        return true;
+    }
+    refused_ = true;
+    wait_for_end(given_.options.refusal_s);
+    return false;
 }
 
 void Viewer::wait_for_end(double seconds)
@@ -233,36 +154,63 @@ void Viewer::run()
         serve(socket);
         const std::lock_guard<std::mutex> lock(mutex_);
         socket_again_.reset();
-        busy_ = false;
+        busy_ = next_socket_ >= 0;
+    }
+}
+
+// What a browser says before the library sees it. Returns false where it is the page of another host.
+bool Viewer::lets_in(int socket, Clock::time_point deadline, bool &asked) const
+{
+    constexpr int library_ms = 100;  // for which the library itself waits for a browser's request
+    constexpr size_t most = 4096;    // that it reads of one
+    pollfd waiting = {socket, POLLIN, 0};
+    poll(&waiting, 1, library_ms);
+    for (std::string said(most, 0);;) {
+        const ssize_t size = recv(socket, said.data(), most, MSG_PEEK | MSG_DONTWAIT);
+        const std::string_view head(said.data(), static_cast<size_t>(std::max<ssize_t>(size, 0)));
+        asked = !head.empty() && std::string_view("GET ").substr(0, head.size()) == head.substr(0, 4);
+        if (!asked) return true;
+        if (head.find("\r\n\r\n") != std::string_view::npos)
+            return origin_is_allowed(std::string(head), given_.options.origins);
+        if (has_to_leave() || head.size() == most || Clock::now() > deadline) return false;
+        std::this_thread::sleep_for(std::chrono::microseconds(poll_us));
     }
 }
 
 void Viewer::serve(int socket)
 {
+    const Clock::time_point start = Clock::now(), deadline = start + of_seconds(given_.options.handshake_s);
+    bool asked = false;
+    if (!lets_in(socket, deadline, asked)) {
+        static const char no[] = "HTTP/1.1 403 Forbidden\r\nConnection: close\r\n\r\n";
+        send(socket, no, sizeof no - 1, MSG_NOSIGNAL | MSG_DONTWAIT);
+        close(socket);
+        return;
+    }
     const Vnc &v = vnc();
     Screen &screen = *screen_;
-    const auto ends = [this] {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        return ends_;
-    };
-    const Clock::time_point deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
-                                                          std::chrono::duration<double>(given_.options.handshake_s));
+    screen.begin();
+    const auto handshake_ms = static_cast<int>(std::clamp(given_.options.handshake_s * 1000, 1.0, 1e6));
+    screen.info()->maxClientWait = handshake_ms;
     // The library owns the socket from here on, also where it refuses.
-    v.rfbNewClient(screen.info, socket);
-    while (rfbClientPtr client = screen.info->clientHead) {
+    v.rfbNewClient(screen.info(), socket);
+    while (rfbClientPtr client = screen.client()) {
         watches_ = client->state == rfbClientRec::RFB_NORMAL;
-        if (ends() || (!watches_ && Clock::now() > deadline)) {
+        const bool types = client->state == rfbClientRec::RFB_AUTHENTICATION;
+        const bool late = !watches_ && Clock::now() > (types ? start + of_seconds(given_.options.typing_s) : deadline);
+        // A browser that waited with its request, so that nobody asked whose page it shows.
+        if (has_to_leave() || late || (client->wsctx && !asked)) {
             v.rfbCloseClient(client);
             v.rfbClientConnectionGone(client);
             break;
         }
-        const double handshake_ms = std::clamp(given_.options.handshake_s * 1000, 1.0, 1e6);
-        screen.info->maxClientWait = watches_ ? most_wait_ms : static_cast<int>(handshake_ms);
-        if (screen.wants_a_frame()) screen.take_newest();
-        v.rfbProcessEvents(screen.info, poll_us);
+        screen.info()->maxClientWait = watches_ ? most_wait_ms : handshake_ms;
+        screen.follow();
+        v.rfbProcessEvents(screen.info(), poll_us);
     }
-    watches_ = false;
-    screen.keys.release();
+    screen.end();
+    watches_ = false, refused_ = false;
+    if (knows_.exchange(false)) --given_.known;
 }
 
 }  // namespace view::serve

@@ -72,7 +72,8 @@ std::unique_ptr<Window> open_window(const Options &options, const std::string &t
     auto window = std::make_unique<ServedWindow>(options, title, context, width, height);
     const int port = window->server().port();
     const std::string number = std::to_string(port);
-    say("the window is at " + place_text(options.address, port) + ", its password is " + window->server().password());
+    say("the window is at " + place_text(options.address, port) + ", its password is " +
+        (options.password.empty() ? window->server().password() : "that of the file"));
     if (is_loopback(options.address))
         say("from another machine: ssh -L " + number + ":" + place_text(options.address, port) +
             " THIS_MACHINE, and there a VNC viewer at 127.0.0.1:" + number);
