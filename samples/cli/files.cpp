@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "samples/cli/terminal.h"
 #include "samples/io/files.h"
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
@@ -54,7 +55,8 @@ private:
 
 void write_to_stdout(const void *bytes, size_t size_bytes)
 {
-    if (std::fwrite(bytes, 1, size_bytes, stdout) != size_bytes || std::fflush(stdout) != 0)
+    std::fflush(stdout);
+    if (std::fwrite(bytes, 1, size_bytes, raw_output()) != size_bytes || std::fflush(raw_output()) != 0)
         fail("standard output", "written");
 }
 

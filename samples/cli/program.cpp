@@ -9,6 +9,7 @@
 
 #include "samples/cli/help.h"
 #include "samples/cli/number_options.h"
+#include "samples/cli/terminal.h"
 #include "samples/io/joined.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
@@ -70,6 +71,7 @@ int fail(const std::string &sentence)
 
 int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
 {
+    show_control_characters();
     CLI::App app("Crowds of individuals on fixed-function OpenGL 1.1, drawn offscreen.", "claque");
     const std::string version = "claque " + std::to_string(CLQ_VERSION_MAJOR) + "." +
                                 std::to_string(CLQ_VERSION_MINOR) + "." + std::to_string(CLQ_VERSION_PATCH);

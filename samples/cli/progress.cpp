@@ -3,10 +3,19 @@
 #include <cstdio>
 #include <unistd.h>
 
+#include "samples/cli/terminal.h"
+
 namespace cli
 {
 
 using Clock = std::chrono::steady_clock;
+
+namespace
+{
+
+void clear_line() { std::fputs("\r\033[K", raw_errors()); }
+
+}  // namespace
 
 Progress::Progress(std::string doing)
     : doing_(std::move(doing)), terminal_(isatty(STDERR_FILENO) == 1), start_(Clock::now()), last_(start_)
@@ -15,14 +24,15 @@ Progress::Progress(std::string doing)
 
 Progress::~Progress()
 {
-    if (shown_) std::fputs("\r\033[K", stderr);
+    if (shown_) clear_line();
 }
 
 void Progress::show(const std::string &text, bool at_once)
 {
     const Clock::time_point now = Clock::now();
     if (!terminal_ || (!at_once && shown_ && now - last_ < std::chrono::milliseconds(100))) return;
-    std::fprintf(stderr, "\r\033[K%s: %s", doing_.c_str(), text.c_str());
+    clear_line();
+    std::fprintf(stderr, "%s: %s", doing_.c_str(), text.c_str());
     std::fflush(stderr);
     last_ = now;
     shown_ = true;
@@ -44,7 +54,8 @@ void Progress::step(size_t done, size_t of)
 void Progress::conclude(const std::string &sentence)
 {
     if (!terminal_) return;
-    std::fprintf(stderr, "\r\033[K%s\n", sentence.c_str());
+    clear_line();
+    std::fprintf(stderr, "%s\n", sentence.c_str());
     shown_ = false;
 }
 
