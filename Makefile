@@ -6,7 +6,7 @@ CLAQUE = $(BUILD)/samples/claque
 PICTURES = $(BUILD)/samples/claque-pictures
 
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
-    test-mutants fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
+    test-mutants test-random fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
     test-guest nightly release test-bits test-reproducible wheel test-wheel coverage check format clean
 
@@ -19,6 +19,7 @@ help:
 	@echo "make nightly    the checks that take too long for CI, for hours, with one table at the end (STEPS='faults soak': some)"
 	@echo "make release    checks version, changelog and tree, runs the tests; sources, wheel, .debs and sums into out/release"
 	@echo "make test-mutants  changes the code on purpose and demands that a test sees it (MUTANTS='cull/*': some)"
+	@echo "make test-random  300 changes of random statements, by the hash of the last commit; names those that no test sees (DRAW='--count 30 --area lib/track': others)"
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
 	@echo "make soak       a million updates of a changing crowd, then films whose processes are killed, random input and malformed viewers of the window (some minutes)"
@@ -89,7 +90,7 @@ test: build
 	ctest --preset $(PRESET) -j $(JOBS) --label-exclude '^long$$'
 
 # make build, the plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary;
-# ci-all also runs test-threads, runs each fuzzer for 20 s and tries ten mutants.
+# ci-all also runs test-threads, runs each fuzzer for 20 s and tries ten random mutants.
 ci:
 	@cmake/ci.sh $(BUILD) $(JOBS)
 
@@ -117,6 +118,9 @@ test-bits: setup
 	@tests/bits/compilers.sh $(JOBS) $(COMPILERS)
 
 # tests/mutants/README.md
+test-random: setup
+	@tests/mutants/random.py --jobs $(JOBS) $(or $(DRAW),--count 300)
+
 test-mutants: setup
 	@tests/mutants/run.py --jobs $(JOBS) $(MUTANTS)
 

@@ -2,9 +2,10 @@
 # ci.sh BUILD JOBS [all]: runs `make build`, builds the benchmarks, tries three quick implementations of OpenGL
 # (tests/drivers), runs every test of BUILD, then the tests labelled `bytes` in a build with AddressSanitizer and UBSan.
 # With `all` it also runs the tests of threads under ThreadSanitizer (threads.sh), runs each fuzzer for 20 s where clang
-# can be had (tests/fuzz) and tries ten mutants (tests/mutants). With `all` it ends within 70 minutes: the steps after
-# the tests are ended or left out when the time is over, and nightly.sh has them. It ends with one summary in CTest's
-# words of all runs of tests. Each line `ci: ...` names a step and the seconds since the beginning.
+# can be had (tests/fuzz) and tries ten random mutants of one area (tests/mutants); it names those that no test sees,
+# and they are no failure. With `all` it ends within 70 minutes: the steps after the tests are ended or left out when
+# the time is over, and nightly.sh has them. It ends with one summary in CTest's words of all runs of tests. Each line
+# `ci: ...` names a step and the seconds since the beginning.
 set -eu
 build=$1
 jobs=$2
@@ -91,7 +92,7 @@ if [ "$extent" = all ] && in_time fuzzers; then
     tail -n 20 out/ci-fuzz.log
 fi
 if [ "$extent" = all ] && in_time mutants; then
-    quietly out/ci-mutants.log tests/mutants/run.py --some 10 --jobs "$jobs"
+    quietly out/ci-mutants.log tests/mutants/random.py --count 10 --area any --jobs "$jobs"
     tail -n 12 out/ci-mutants.log
 fi
 step end

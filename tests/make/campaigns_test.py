@@ -36,7 +36,7 @@ class Campaigns(unittest.TestCase):
         for tool in ("make", "cmake", "c++"):
             write_tool(self.tools / tool, "")
         write_tool(self.tools / "ctest", CTEST)
-        for script in ("tests/drivers/run.py", "tests/fuzz/run.py", "tests/mutants/run.py", "cmake/setup.sh"):
+        for script in ("tests/drivers/run.py", "tests/fuzz/run.py", "tests/mutants/random.py", "cmake/setup.sh"):
             write_tool(self.tree / script, "echo ran $0")
         write_tool(self.tree / "cmake/threads.sh", threads)
         write_tool(self.tree / "out/ci-nothing", "")
@@ -45,7 +45,7 @@ class Campaigns(unittest.TestCase):
     def test_of_ci_run_all_when_there_is_time(self):
         status, said = self.ci("echo threads", 4140)
         self.assertEqual(status, 0, said)
-        for words in ("threads\n", "ran tests/fuzz/run.py\n", "ran tests/mutants/run.py\n"):
+        for words in ("threads\n", "ran tests/fuzz/run.py\n", "ran tests/mutants/random.py\n"):
             self.assertIn(words, said)
         self.assertNotIn("leaves out", said)
         self.assertTrue(said.endswith("\n100% tests passed, 0 tests failed out of 2\n"), said)

@@ -69,10 +69,11 @@ COMPILE = {"CCACHE_BASEDIR": str(TREE), "CCACHE_SLOPPINESS": "pch_defines,time_m
 
 def configure():
     BUILD.mkdir(parents=True, exist_ok=True)
-    if (BUILD / "build.ninja").exists():
+    if (BUILD / "compile_commands.json").exists():
         return
     flags = "-O1 -DNDEBUG"
     command = ["cmake", "-S", str(TREE), "-B", str(BUILD), "-G", "Ninja", "-DCMAKE_BUILD_TYPE=None",
+               "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON",
                f"-DCMAKE_CXX_FLAGS={flags}", f"-DCMAKE_C_FLAGS={flags}", "-DCMAKE_UNITY_BUILD=ON",
                "-DCMAKE_UNITY_BUILD_BATCH_SIZE=12", "-DCLAQUE_TESTS=ON", "-DCLAQUE_BENCHMARKS=OFF"]
     if shutil.which("ccache"):

@@ -9,47 +9,22 @@ skipped on this machine are then told and not tried. README.md beside this file 
 Mutants whose places do not overlap share one build: each place becomes `claque_mutant(id) ? mutant : code`, and the
 environment variable CLAQUE_MUTANT chooses. A mutant marked `alone` replaces the text itself, in a build of its own.
 """
+import sys
+
+sys.path.append(sys.path.pop(0))  # of two modules named `random`, Python's comes first
+sys.dont_write_bytecode = True
 import argparse
-import concurrent.futures
 import fnmatch
 import hashlib
 import json
 import os
-import pathlib
-import queue
 import re
-import shutil
 import subprocess
-import sys
-import tempfile
 import time
 
-sys.dont_write_bytecode = True
 from copied_tree import BUILD, HERE, LOG, ROOT, SOURCE, build, configure, log_tail, read_tree, run_logged, write_tree
 from mutants import fail, grouped, place_edits, read_mutants, texts_of
-
-
-class Workers:
-    """Runs functions side by side, each with a folder of its own: two mutants may have the same test."""
-
-    def __init__(self, count):
-        self.root = tempfile.TemporaryDirectory(prefix="cm-")  # short, as messages and sockets hold paths
-        self.free = queue.Queue()
-        for number in range(count):
-            self.free.put(pathlib.Path(self.root.name) / str(number))
-        self.pool = concurrent.futures.ThreadPoolExecutor(count)
-
-    def each(self, function, things):
-        """The results of function(thing, folder), in the order of the things."""
-        def in_a_folder(thing):
-            folder = self.free.get()
-            try:
-                shutil.rmtree(folder, ignore_errors=True)
-                folder.mkdir()
-                return function(thing, folder)
-            finally:
-                self.free.put(folder)
-        return self.pool.map(in_a_folder, things)
+from workers import Workers
 
 
 def executable_of(target):
