@@ -51,6 +51,7 @@ public:
     void add(Task task);
     void add_message(const Task &task);
     size_t waiting() const { return heap_.size(); }
+    size_t kept() const { return tasks_.size() - free_.size(); }  // tasks with a slot: these, and those of open queues
 
     // Runs the tick that begins after begin_s and ends at end_s.
     void run(double begin_s, double end_s, Worker &worker);

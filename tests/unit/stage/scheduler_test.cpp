@@ -108,6 +108,39 @@ TEST(Scheduler, ForgetsTasksThatHaveBecomePointlessAtNoCost)
     EXPECT_EQ(at.work.done, std::vector<uint32_t>{2});
 }
 
+size_t waiting_of(const Scheduler &scheduler)
+{
+    size_t all = scheduler.waiting();
+    for (const clq_stage_class_info &info : scheduler.done) all += info.waiting;
+    return all;
+}
+
+TEST(Scheduler, KeepsNoTaskThatHasRunThatIsPointlessOrThatIsTheStagesOwn)
+{
+    for (const uint32_t fail_at : {0u, 17u}) {
+        Ticker at(limits(20));
+        at.work.fail_at = fail_at;
+        for (uint32_t round = 0; round < 50; ++round) {
+            for (uint32_t i = 0; i < 12; ++i) {
+                Task task = task_of(i, i % 4, 1 + i % 5, 0.05 * at.tick + 0.004 * i);
+                task.serial = i % 5 == 3;  // dead
+                if (i % 6 == 5) task.kind = TaskKind::set;
+                at.add(task);
+            }
+            try {
+                at.next();
+                EXPECT_EQ(at.scheduler.kept(), waiting_of(at.scheduler)) << "round " << round;
+            } catch (int) {
+                --at.tick;
+            }
+        }
+        for (int i = 0; i < 100; ++i) at.next();
+        EXPECT_EQ(waiting_of(at.scheduler), 0u);
+        EXPECT_EQ(at.scheduler.kept(), 0u);
+        EXPECT_GT(at.work.prepared, 50u);
+    }
+}
+
 TEST(Scheduler, SpendsItsBudgetAndNoMore)
 {
     Ticker at(limits(10));
