@@ -73,6 +73,12 @@ TEST(Ground, LeavesOutWhatIsTooSteepLowOrHigh)
         stair.add(0, 0, 5, 4), stair.add(5, 0, 10, 4, step, step);
         EXPECT_EQ(crosses(stair), walks) << step;
     }
+    // A sill above the floor, too steep to stand on: one steps over it unless it is higher than a step.
+    for (const auto &[sill, walks] : {std::pair<double, bool>{0.2, true}, {0.6, false}}) {
+        Floor with_sill;
+        with_sill.add(0, 0, 10, 4), with_sill.add(5, 0, 5.04, 4, sill - 0.1, sill);
+        EXPECT_EQ(crosses(with_sill), walks) << sill;
+    }
     for (const auto &[ceiling, walks] : {std::pair<double, bool>{2.2, true}, {1.5, false}}) {
         Floor tunnel;
         tunnel.add(0, 0, 10, 4), tunnel.add(4, 0, 6, 4, ceiling, ceiling);
