@@ -11,7 +11,7 @@ import time
 class Case:
     def __init__(self, test, build):
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        self.name, self.command = test["name"], test["command"]
+        self.name, self.command = test["name"].split("  #")[0], test["command"]  # without GetParam()
         self.directory = properties.get("WORKING_DIRECTORY", str(build))
         self.folder = os.path.relpath(self.directory, build)  # tests/unit/track
         self.limit_s = float(properties.get("TIMEOUT", 300))
@@ -43,7 +43,7 @@ class Case:
         """What happened in a word (passed, skipped, failed, crashed, endless), and the seconds."""
         files = folder / "files"
         files.mkdir(exist_ok=True)
-        environment = {**os.environ, **self.environment, "CLAQUE_MUTANT": str(mutant),
+        environment = {**os.environ, **self.environment, "CLAQUE_MUTANT": str(mutant), "GTEST_FAIL_FAST": "1",
                        "XDG_CACHE_HOME": str(folder / "cache"), "TMPDIR": str(files), "TEST_TMPDIR": str(files)}
         if reached:
             environment["CLAQUE_MUTANTS_REACHED"] = str(reached)
