@@ -10,6 +10,7 @@
 #include <set>
 
 #include "decoder_test.h"
+#include "lib/asset/draco_decode.h"
 
 namespace claque::testing
 {
@@ -56,7 +57,7 @@ int add_attribute(draco::Mesh &mesh, draco::GeometryAttribute::Type kind, draco:
     return id;
 }
 
-Bytes packed_of(const Sheet &from, bool edgebreaker, int &positions, int &joints)
+Bytes packed_of(const Sheet &from, bool edgebreaker, int &positions, int &joints, int others = 0)
 {
     draco::Mesh mesh;
     mesh.set_num_points(corners);
@@ -65,6 +66,8 @@ Bytes packed_of(const Sheet &from, bool edgebreaker, int &positions, int &joints
                       draco::PointIndex(from.indices[3 * f + 2])});
     positions = add_attribute(mesh, draco::GeometryAttribute::POSITION, draco::DT_FLOAT32, from.positions);
     joints = add_attribute(mesh, draco::GeometryAttribute::GENERIC, draco::DT_UINT8, from.joints);
+    for (int i = 0; i < others; ++i)
+        add_attribute(mesh, draco::GeometryAttribute::GENERIC, draco::DT_UINT8, from.joints);
     draco::ExpertEncoder encoder(mesh);
     encoder.SetEncodingMethod(edgebreaker ? draco::MESH_EDGEBREAKER_ENCODING : draco::MESH_SEQUENTIAL_ENCODING);
     draco::EncoderBuffer buffer;
@@ -194,6 +197,28 @@ TEST(Draco, MoreVerticesThanTheTrianglesHaveCornersAreRefusedBeforeTheDecoderRun
         const Outcome outcome = outcome_of(skinned(file));
         EXPECT_EQ(outcome.status, CLQ_FORMAT) << edgebreaker;
         EXPECT_NE(outcome.text.find("it says 16383 vertices for 392 triangles"), std::string::npos) << outcome.text;
+    }
+}
+
+// Twelve bytes for each number, which eight attributes that nobody asks for have, too.
+TEST(Draco, AttributesThatTakeMoreThanIsLeftAreRefusedBeforeTheyAreUnpacked)
+{
+    const Sheet plain = sheet();
+    for (const bool edgebreaker : {false, true}) {
+        int positions = 0, joints = 0;
+        const Bytes packed = packed_of(plain, edgebreaker, positions, joints, 8);
+        const auto outcome_with = [&](uint64_t working_bytes) {
+            asset::DracoMesh mesh;
+            mesh.path = "sheet", mesh.vertex_count = corners, mesh.index_count = plain.indices.size();
+            mesh.working_bytes = working_bytes;
+            return outcome_of([&] { asset::decode_draco({packed.data(), packed.size()}, mesh); });
+        };
+        const uint64_t needed = corners * (3 + 9 * 4) * 12;
+        EXPECT_EQ(outcome_with(needed).status, CLQ_OK) << outcome_with(needed).text;
+        const Outcome outcome = outcome_with(needed - 1);
+        EXPECT_EQ(outcome.status, CLQ_FORMAT) << edgebreaker;
+        EXPECT_NE(outcome.text.find("its 39 numbers for each of 225 vertices would take more"), std::string::npos)
+            << outcome.text;
     }
 }
 

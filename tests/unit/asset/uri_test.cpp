@@ -46,6 +46,10 @@ TEST(RelativeUri, IsAPathBesideTheFileOrRefusedByItsRule)
 {
     EXPECT_EQ(asset::decode_relative_path("a%2Fb/c%C3%9f.bin"), "a/b/c\xc3\x9f.bin");
     EXPECT_EQ(asset::decode_relative_path("a/b:c"), "a/b:c") << "a colon behind a slash is no scheme";
+    EXPECT_EQ(asset::decode_relative_path("%61%2e%62"), "a.b") << "codes at both ends";
+    const std::string_view behind = "a%2f";
+    EXPECT_EQ(outcome_of([&] { asset::decode_relative_path(behind.substr(0, 3)); }).status, CLQ_FORMAT)
+        << "what stands behind the text is no part of it";
     const struct {
         const char *uri;
         int status;
