@@ -50,6 +50,32 @@ TEST(Passings, OfACrowdAreThoseThatEachPairHas)
     }
 }
 
+TEST(Shoulders, OfPeopleWhoPassInShortSequenceTurnWithoutAJump)
+{
+    const auto points = test::points_of(5, 12, [](double t) { return glm::dvec2(0, 1.2 * t); });
+    for (double gap_s = 0.2; gap_s < 1.6; gap_s += 0.1) {
+        std::vector<track::Passing> passings;
+        for (int i = 0; i < 5; ++i) {
+            const double time_s = 3 + gap_s * i;
+            passings.push_back({time_s, glm::dvec3(i % 2 ? 0.55 : -0.55, 0, 1.2 * time_s)});
+        }
+        track::BuildSettings settings;
+        settings.passings = base::Span<const track::Passing>(passings);
+        const auto track = test::track_of(points, "citizen", settings);
+        const auto turned = [&](double t) {
+            return double(track::upper_at(*track, track::state_at(*track, t), t).torso_rad);
+        };
+        double most = 0, before = turned(1);
+        for (double t = 1; t < 11; t += 0.005) {
+            const double now = turned(t);
+            // Half a radian there and back in 0.7 s.
+            ASSERT_LT(std::fabs(now - before), 0.03) << t << ", every " << gap_s << " s";
+            most = std::max(most, std::fabs(now)), before = now;
+        }
+        EXPECT_GT(most, 0.3) << gap_s;
+    }
+}
+
 TEST(Passings, OfPointsThatMeanNothingAreRefused)
 {
     std::vector<track::Point> bad = test::points_of(5, 1, [](double t) { return glm::dvec2(0, t); });
