@@ -5,7 +5,6 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
-
 #include <fcntl.h>
 #include <unistd.h>
 

@@ -183,6 +183,7 @@ TEST(Channels, OfSplinesHaveTheTangentsOfTheirEnds)
         ASSERT_EQ(retarget::add_clips(wanted, ends, {}).mode, retarget::Mode::channels);
         model::check(found);
         ASSERT_EQ(found.channels.size(), wanted.channels.size());
+        EXPECT_EQ(found.values.size(), splines.values.size()) << "and nothing else is copied";
         for (size_t c = 0; c < found.channels.size(); ++c) {
             const model::Channel &channel = found.channels[c], &keys = wanted.channels[c];
             ASSERT_EQ(channel.interpolation, model::Interpolation::cubic_spline);
