@@ -78,7 +78,7 @@ std::vector<std::string> characters()
 TEST_P(AllCharactersLaw, HoldsOnRealCharacters)
 {
     if (!has_assets()) GTEST_SKIP() << "no assets in " << folder;
-    most_ties_share_ = 1e-5;
+    verdict_.most_ties_share = 1e-5;
     const std::vector<std::string> paths = characters();
     EXPECT_GT(paths.size(), 20u);
     for (const std::string &path : paths) {
@@ -91,7 +91,7 @@ TEST_P(AllCharactersLaw, HoldsOnRealCharacters)
 TEST_P(CharactersLaw, HoldsOnRealCharactersWithZonesAcrossTheirTriangles)
 {
     if (!has_assets()) GTEST_SKIP() << "no assets in " << folder;
-    most_ties_share_ = 1e-5;
+    verdict_.most_ties_share = 1e-5;
     for (const char *name :
          {"humanoids/kaykit/Mage.glb", "humanoids/kenney/character.glb", "humanoids/khronos/CesiumMan.glb",
           "animals/khronos/Fox.glb", "machines/khronos/CesiumMilkTruck.glb", "machines/quaternius/Leela.glb"}) {
@@ -110,7 +110,7 @@ class WrittenCharactersLaw : public LawTest
 
 TEST_P(WrittenCharactersLaw, Holds)
 {
-    most_ties_share_ = 1e-5;
+    verdict_.most_ties_share = 1e-5;
     for (const std::string &name : written::characters()) {
         SCOPED_TRACE(name);
         const model::Model character = load(written::folder() + name);
@@ -120,7 +120,7 @@ TEST_P(WrittenCharactersLaw, Holds)
 
 TEST_P(WrittenCharactersLaw, HoldsWithZonesAcrossTheirTriangles)
 {
-    most_ties_share_ = 1e-5;
+    verdict_.most_ties_share = 1e-5;
     for (const std::string &name : written::people()) {
         SCOPED_TRACE(name);
         model::Model character = load(written::folder() + name);

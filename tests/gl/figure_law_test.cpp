@@ -16,7 +16,7 @@ constexpr const char *clips[] = {"applaud", "cheer", "sit_applaud"};
 
 TEST_P(FigureLaw, HoldsOnTheBuiltInFigures)
 {
-    most_ties_share_ = 1e-5;  // where a strip of cloth goes into the dress
+    verdict_.most_ties_share = 1e-5;  // where a strip of cloth goes into the dress
     for (const claque::figures::Builtin &posed : claque::figures::people()) {
         SCOPED_TRACE(posed.name);
         const model::Model made = posed.make();

@@ -20,8 +20,10 @@ protected:
     std::vector<std::string> changed_by_draw(passes::Renderer &renderer, const claque::draw::DrawList &list)
     {
         const State before = dump_state(*host_);
-        const Status status = renderer.draw(list, nullptr);
+        passes::DrawStats stats;
+        const Status status = renderer.draw(list, &stats);
         EXPECT_TRUE(status.ok()) << status.text;
+        EXPECT_EQ(stats.individuals, list.items.size());
         after_ = dump_state(*host_);
         return differences(before, after_);
     }

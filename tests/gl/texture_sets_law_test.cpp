@@ -52,7 +52,7 @@ TEST_P(TextureSetsLaw, HoldsInEverySetOfASheet)
 
 TEST_P(TextureSetsLaw, HoldsOnThePeopleInTheirSecondSets)
 {
-    most_ties_share_ = 1e-4;  // layers of cloth, as on the odeon
+    verdict_.most_ties_share = 1e-4;  // layers of cloth, as on the odeon
     for (const claque::figures::Builtin &person : claque::figures::people()) {
         SCOPED_TRACE(person.name);
         const model::Model source = person.make();

@@ -25,11 +25,10 @@ TEST_P(ZoneLaw, HoldsForThePapersEqualTest)
 {
     for (const uint32_t zones : {2u, 8u, 48u}) {
         const PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, zones, 3));
-        const Law law(*context_, posed);
         passes::RendererOptions options;
         options.strategy = passes::Strategy::per_zone;
         options.key_test = passes::KeyTest::equal;
-        law.hold(options);
+        Law(*context_, posed).hold(options, verdict_);
     }
 }
 
@@ -41,25 +40,19 @@ TEST_P(ZoneLaw, HoldsUnderFullAmbientLightOnBothFaces)
     const HostGl host(*context_);
     const PosedModel posed = make_posed(sheet(9, 0.2f), torture_map(128, 8, 3));
     posed.tmpl->levels[0].surfaces[0].double_sided = true;
+    host.LightModelfv(light_model_ambient, full);
     for (const float turn_rad : {0.4f, 2.8f}) {
         const Camera camera = camera_on(posed, 2.6f, turn_rad, 0.4f, 4.0f / 3);
-        const std::vector<uint8_t> colours = zone_colours(8);
-        const Picture plain = draw_plain(*context_, posed, camera, colours.data());
-        host.LightModelfv(light_model_ambient, full);
-        host.Enable(lighting);
+        const Wanted wanted = {draw_plain(*context_, posed, camera, zone_colours(8).data())};
         for (const passes::Strategy strategy :
              {passes::Strategy::fused, passes::Strategy::binned, passes::Strategy::per_zone}) {
+            SCOPED_TRACE(testing::Message() << "turned " << turn_rad << ", strategy " << int(strategy));
             passes::RendererOptions options;
             options.strategy = strategy;
-            passes::Renderer renderer(std::pmr::get_default_resource(), options);
-            ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
-            ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
-            const Comparison c =
-                compare(plain, draw(*context_, renderer, list_of(posed, camera, colours.data())), plain, plain);
-            EXPECT_EQ(c.wrong + c.holes, 0u) << "turned " << turn_rad << ", strategy " << int(strategy);
-            renderer.destroy();
+            host.Enable(lighting);
+            hold(posed, camera, options, wanted);
+            host.Disable(lighting);
         }
-        host.Disable(lighting);
     }
 }
 
@@ -68,14 +61,7 @@ TEST_P(ZoneLaw, HoldsOnMoreVerticesThanShortIndicesReach)
     const PosedModel posed = make_posed(sheet(260, 0.2f), torture_map(256, 4, 3));
     ASSERT_GT(posed.tmpl->levels[0].source_count, 65536u);
     const Camera camera = camera_on(posed, 2.6f, 0.4f, 0.4f, 4.0f / 3);
-    const std::vector<uint8_t> colours = zone_colours(4);
-    const Picture plain = draw_plain(*context_, posed, camera, colours.data());
-    passes::Renderer renderer(std::pmr::get_default_resource(), {});
-    ASSERT_TRUE(renderer.open(context_->get_proc_address(), context_->user()).ok());
-    ASSERT_TRUE(renderer.prepare(*posed.tmpl).ok());
-    const Comparison c =
-        compare(plain, draw(*context_, renderer, list_of(posed, camera, colours.data())), plain, plain);
-    EXPECT_EQ(c.wrong + c.holes, 0u);
+    hold(posed, camera, {}, {draw_plain(*context_, posed, camera, zone_colours(4).data())});
 }
 
 INSTANTIATE_TEST_SUITE_P(On, ZoneLaw, testing::ValuesIn(targets()), name_of_target);

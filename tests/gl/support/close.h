@@ -25,14 +25,6 @@ inline passes::RendererOptions nearest_close(passes::Strategy strategy = passes:
     return options;
 }
 
-inline uint32_t covered(const Picture &picture)
-{
-    uint32_t count = 0;
-    for (size_t i = 0; i + 2 < picture.size(); i += 3)
-        count += !std::equal(background, background + 3, picture.begin() + std::ptrdiff_t(i));
-    return count;
-}
-
 // Of a channel, in 255ths.
 inline int largest_difference(const Picture &a, const Picture &b)
 {

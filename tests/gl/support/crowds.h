@@ -90,7 +90,7 @@ protected:
     Picture shown(const DrawList &list, const passes::RendererOptions &options, passes::DrawStats *stats = nullptr)
     {
         const auto renderer = make_renderer_of(*posed_, options);
-        const Picture picture = draw(*context_, *renderer, list);
+        const Picture picture = draw(*context_, *renderer, list, 0.001 * double(list.items.size()));
         if (stats) {
             EXPECT_TRUE(renderer->draw(list, stats).ok());
         }
@@ -119,12 +119,6 @@ protected:
     static bool is_background(const Picture &picture, size_t at)
     {
         return std::equal(background, background + 3, picture.begin() + std::ptrdiff_t(at));
-    }
-    static uint32_t covered(const Picture &picture)
-    {
-        uint32_t count = 0;
-        for (size_t i = 0; i + 2 < picture.size(); i += 3) count += !is_background(picture, i);
-        return count;
     }
 
     const PosedModel *posed_;

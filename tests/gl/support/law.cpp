@@ -41,9 +41,12 @@ Law::Law(contexts::Offscreen &context, const PosedModel &posed, const model::Mod
     struct Place {
         const char *name;
         float distance_radii, turn_rad, tilt_rad;
+        double least_share;
     };
-    constexpr Place places[] = {
-        {"near", 0.9f, 0.3f, 0.2f}, {"whole", 2.6f, -0.5f, 0.4f}, {"far", 30, 0.7f, 0}, {"edge-on", 2.6f, 1.53f, 0}};
+    constexpr Place places[] = {{"near", 0.9f, 0.3f, 0.2f, 0.06},
+                                {"whole", 2.6f, -0.5f, 0.4f, 0.03},
+                                {"far", 30, 0.7f, 0, 0.0003},
+                                {"edge-on", 2.6f, 1.53f, 0, 0.004}};
     const float aspect = float(context.width()) / float(context.height());
     std::unique_ptr<SourceLook> look;
     if (source) {
@@ -52,22 +55,18 @@ Law::Law(contexts::Offscreen &context, const PosedModel &posed, const model::Mod
     }
     for (const Place &place : places) {
         View view;
-        view.name = place.name;
+        view.name = place.name, view.least_share = place.least_share;
         view.camera = camera_on(posed, place.distance_radii, place.turn_rad, place.tilt_rad, aspect);
-        view.plain = look ? draw_source(context, {{look.get(), posed.positions.data(), view.camera.model_view}},
-                                        view.camera.projection)
-                          : draw_plain(context, posed, view.camera, colours_.data());
-        view.forwards = draw_ids(context, posed, view.camera, Order::forwards);
-        view.backwards = draw_ids(context, posed, view.camera, Order::backwards);
-        const Comparison itself = compare(view.plain, view.plain, view.forwards, view.backwards);
-        EXPECT_GT(itself.covered, 0u) << view.name;
-        covered_ += itself.covered;
-        ties_ += itself.ties;
+        view.wanted.plain = look ? draw_source(context, {{look.get(), posed.positions.data(), view.camera.model_view}},
+                                               view.camera.projection)
+                                 : draw_plain(context, posed, view.camera, colours_.data());
+        view.wanted.forwards = draw_ids(context, posed, view.camera, Order::forwards);
+        view.wanted.backwards = draw_ids(context, posed, view.camera, Order::backwards);
         views_.push_back(std::move(view));
     }
 }
 
-void Law::hold(const passes::RendererOptions &options) const
+void Law::hold(const passes::RendererOptions &options, Verdict &verdict) const
 {
     passes::Renderer renderer(std::pmr::get_default_resource(), options);
     const auto opened = renderer.open(context_.get_proc_address(), context_.user());
@@ -75,10 +74,9 @@ void Law::hold(const passes::RendererOptions &options) const
     const auto prepared = renderer.prepare(*posed_.tmpl);
     ASSERT_TRUE(prepared.ok()) << prepared.text;
     for (const View &view : views_) {
-        const Picture coloured = draw(context_, renderer, list_of(posed_, view.camera, colours_.data()));
-        const Comparison c = compare(view.plain, coloured, view.forwards, view.backwards);
-        EXPECT_EQ(c.wrong, 0u) << view.name << ": of " << c.covered << " pixels";
-        EXPECT_EQ(c.holes, 0u) << view.name << ": of " << c.covered << " pixels";
+        SCOPED_TRACE(view.name);
+        const auto list = list_of(posed_, view.camera, colours_.data());
+        verdict.hold(view.wanted, draw(context_, renderer, list, view.least_share), view.least_share);
     }
     renderer.destroy();
 }

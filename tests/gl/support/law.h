@@ -27,23 +27,20 @@ class Law
 public:
     Law(contexts::Offscreen &context, const PosedModel &posed, const model::Model *source = nullptr);
 
-    // Adds test failures where a renderer's pictures differ or have holes.
-    void hold(const passes::RendererOptions &options) const;
-
-    uint64_t covered() const { return covered_; }  // pixels of all views
-    uint64_t ties() const { return ties_; }        // of them, excluded because different triangles tie in depth
+    // Judges a renderer's pictures.
+    void hold(const passes::RendererOptions &options, Verdict &verdict) const;
 
 private:
     struct View {
         const char *name;
+        double least_share;  // of the picture
         Camera camera;
-        Picture plain, forwards, backwards;
+        Wanted wanted;
     };
     contexts::Offscreen &context_;
     const PosedModel &posed_;
     std::vector<uint8_t> colours_;
     std::vector<View> views_;
-    uint64_t covered_ = 0, ties_ = 0;
 };
 
 }  // namespace gltest

@@ -19,8 +19,7 @@ protected:
     // where the context is absent.
     uint32_t hold(const Target &target, model::Model character, uint32_t texture_px, uint32_t cameras_a_level);
 
-    uint32_t flat_levels_ = 0;       // levels that each draw of them drew GL_FLAT
-    double most_ties_share_ = 1e-4;  // largest fraction of covered pixels that may tie in depth
+    uint32_t flat_levels_ = 0;  // levels that each draw of them drew GL_FLAT
 
 private:
     void make_context(const Target &target);
@@ -29,7 +28,7 @@ private:
     std::unique_ptr<contexts::Offscreen> context_;
     std::unique_ptr<Spy> spy_;
     uint32_t flat_calls_ = 0;  // glShadeModel(GL_FLAT) since it was last set to 0
-    uint64_t covered_ = 0, ties_ = 0;
+    Verdict verdict_;
 };
 
 }  // namespace gltest

@@ -56,6 +56,14 @@ void use_texture(const HostGl &host, const model::Level &level, const model::Tex
 
 }  // namespace
 
+uint32_t covered(const Picture &picture)
+{
+    uint32_t count = 0;
+    for (size_t i = 0; i + 2 < picture.size(); i += 3)
+        count += !std::equal(background, background + 3, picture.begin() + std::ptrdiff_t(i));
+    return count;
+}
+
 Picture begin_picture(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb)
 {
     host.Viewport(0, 0, context.width(), context.height());
@@ -127,13 +135,16 @@ DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *z
     return list_of({individual_of(posed, camera, zone_rgb)}, camera.projection);
 }
 
-Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const DrawList &list)
+Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const DrawList &list, double least_share)
 {
     const HostGl host(context);
     Picture picture = begin_picture(context, host, background);
     const claque::base::Status status = renderer.draw(list, nullptr);
     EXPECT_TRUE(status.ok()) << status.text;
     context.read_rgb(picture);
+    if (!list.items.empty()) {
+        EXPECT_GE(covered(picture), least_share * double(picture.size() / 3)) << "the picture shows next to nothing";
+    }
     return picture;
 }
 

@@ -36,9 +36,12 @@ claque::draw::DrawList list_of(const std::vector<Individual> &individuals, const
 claque::draw::DrawList list_of(const PosedModel &posed, const Camera &camera, const uint8_t *zone_rgb = nullptr);
 
 constexpr uint8_t background[3] = {16, 0, 8};  // RGB565 keeps it exactly; no zone colour is near
+uint32_t covered(const Picture &picture);      // pixels that are not background
 
-// Clears to `background` and draws. Adds a test failure if the renderer refuses.
-Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list);
+// Clears to `background` and draws. Adds a test failure if the renderer refuses, or if a list that is not empty covers
+// less than a share of the picture: two pictures of nothing are equal.
+Picture draw(contexts::Offscreen &context, passes::Renderer &renderer, const claque::draw::DrawList &list,
+             double least_share = 0.01);
 
 // GL as a plain program has it: viewport and background, then only depth, matrices and the character's arrays.
 Picture begin_picture(contexts::Offscreen &context, const HostGl &host, const uint8_t *rgb);
@@ -58,16 +61,33 @@ Picture draw_ids(contexts::Offscreen &context, const std::vector<Individual> &in
                  const float (&projection)[16], Order order);
 Picture draw_ids(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera, Order order);
 
+// What a picture has to show. Without ids no pixel may tie.
+struct Wanted {
+    Picture plain, forwards = {}, backwards = {};
+};
+Wanted wanted_of(contexts::Offscreen &context, const PosedModel &posed, const Camera &camera);  // in zone_colours()
+
 struct Comparison {
     uint32_t covered = 0;  // pixels of the plain picture that are not background
     uint32_t ties = 0;     // of them, excluded: different triangles at one depth
     uint32_t wrong = 0;    // other pixels that differ from the plain picture
     uint32_t holes = 0;    // of all pixels: background where the plain picture has none
 };
-Comparison compare(const Picture &plain, const Picture &coloured, const Picture &forwards, const Picture &backwards);
+Comparison compare(const Wanted &wanted, const Picture &coloured);
 
-// All counts for one character and camera.
-Comparison zone_law(contexts::Offscreen &context, passes::Renderer &renderer, const PosedModel &posed,
-                    const Camera &camera);
+// The law of zones over all pictures of a test. Adds failures where one is wrong, has holes or shows too little, and at
+// its end where more depths tie than may.
+class Verdict
+{
+public:
+    ~Verdict();
+    // At least this share of the picture has to be covered.
+    Comparison hold(const Wanted &wanted, const Picture &coloured, double least_share);
+
+    double most_ties_share = 0;  // of covered pixels
+
+private:
+    uint64_t covered_ = 0, ties_ = 0;
+};
 
 }  // namespace gltest
