@@ -6,7 +6,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "lib/base/hash.h"
-#include "lib/math/frustum.h"
 
 namespace gltest
 {
@@ -108,26 +107,33 @@ void add_rig(model::Template &tmpl, const std::vector<Joint> &joints, const std:
     }
 }
 
+// A sphere round the vertices of each part where they are bound.
+void add_spheres(model::Level &level, const std::vector<uint32_t> &part_of_vertex)
+{
+    for (uint32_t part = 0; part < level.parts.size(); ++part) {
+        glm::vec3 low(1e9f), high(-1e9f);
+        for (uint32_t v = 0; v < level.source_count; ++v)
+            if (part_of_vertex[v] == part)
+                low = glm::min(low, vertex(level.positions, v)), high = glm::max(high, vertex(level.positions, v));
+        level.part_spheres[part].bind = {0.5f * (low + high), 0.5f * glm::length(high - low)};
+    }
+}
+
 // Skins: palette matrices first, then vertices.
 void place(Jointed &out, const std::vector<uint32_t> &part_of_vertex)
 {
     const model::Template &tmpl = *out.posed.tmpl;
     const model::Level &level = tmpl.levels[0];
-    std::vector<glm::dvec3> low(out.parts.size(), glm::dvec3(1e9)), high(out.parts.size(), glm::dvec3(-1e9));
+    for (const model::PaletteEntry &entry : tmpl.rig.palette)
+        out.palette.push_back(math::mul(out.globals[entry.node], entry.inverse_bind));
     for (uint32_t v = 0; v < level.vertex_count; ++v) {
         const uint32_t from = v < level.source_count ? v : level.copies[v - level.source_count];
-        const uint32_t part = part_of_vertex[from];
-        const model::PaletteEntry &entry = tmpl.rig.palette[part];
-        const math::Affine matrix = math::mul(out.globals[entry.node], entry.inverse_bind);
+        const math::Affine &matrix = out.palette[part_of_vertex[from]];
         const glm::vec3 p = math::transform_point(matrix, vertex(level.positions, from));
         const glm::vec3 n = math::transform_vector(matrix, vertex(level.normals, from));
         std::copy_n(&p.x, 3, &out.posed.positions[3 * size_t(v)]);
         std::copy_n(&n.x, 3, &out.posed.normals[3 * size_t(v)]);
-        low[part] = glm::min(low[part], glm::dvec3(p)), high[part] = glm::max(high[part], glm::dvec3(p));
     }
-    for (size_t part = 0; part < out.parts.size(); ++part)
-        out.part_balls.push_back({glm::vec3(0.5 * (low[part] + high[part])),
-                                  static_cast<float>(0.5 * glm::length(high[part] - low[part]) + 1e-4)});
     measure(out.posed);
 }
 
@@ -148,6 +154,7 @@ Jointed make_jointed(const std::vector<Joint> &joints, const ZoneMap &map, float
     mesh.surface_count = mesh.part_count > 1 ? 2 : 1;
     out.posed = make_posed(mesh, map);
     add_rig(*out.posed.tmpl, joints, out.parts, part_of_vertex, bind_offset);
+    add_spheres(out.posed.tmpl->levels[0], part_of_vertex);
     pose(out, joints);
     place(out, part_of_vertex);
     return out;
@@ -190,20 +197,6 @@ claque::draw::DrawList by_matrices(const Jointed &jointed, const Camera &camera,
     list.items[0].locals = jointed.locals.data();
     list.items[0].vertices = {};
     return list;
-}
-
-uint64_t parts_in(const Jointed &jointed, const Camera &camera)
-{
-    const math::Frustum frustum = math::frustum_of(camera.projection);
-    const glm::dmat4 view(glm::make_mat4(camera.model_view));
-    uint64_t parts = 0;
-    for (size_t part = 0; part < jointed.part_balls.size(); ++part) {
-        const model::Sphere &ball = jointed.part_balls[part];
-        const glm::dvec3 centre(view * glm::dvec4(glm::dvec3(ball.centre), 1));
-        if (math::test(frustum, centre, double(ball.radius)) != math::Containment::outside)
-            parts |= uint64_t(1) << part;
-    }
-    return parts;
 }
 
 Camera hashed_camera(const PosedModel &posed, uint32_t index, float aspect)

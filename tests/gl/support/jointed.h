@@ -15,11 +15,11 @@ struct Joint {
 };
 
 struct Jointed {
-    PosedModel posed;                               // vertices in the pose, as the processor transforms them
-    std::vector<claque::math::Affine> locals;       // in the pose, one per node
-    std::vector<claque::math::Affine> globals;      // likewise, to model space
-    std::vector<uint32_t> parts;                    // the node of each
-    std::vector<claque::model::Sphere> part_balls;  // of the vertices in the pose
+    PosedModel posed;                           // vertices in the pose, as the processor transforms them
+    std::vector<claque::math::Affine> locals;   // in the pose, one per node
+    std::vector<claque::math::Affine> globals;  // likewise, to model space
+    std::vector<claque::math::Affine> palette;  // likewise, one per part
+    std::vector<uint32_t> parts;                // the node of each
 };
 
 // `map` covers each of a box's six sides. Boxes alternate between two surfaces. If `bind_offset` is not 0, the
@@ -34,9 +34,6 @@ std::vector<Joint> rope(uint32_t count);
 
 // Draws all parts by GL's matrix stack.
 claque::draw::DrawList by_matrices(const Jointed &jointed, const Camera &camera, const uint8_t *zone_rgb = nullptr);
-
-// Parts whose spheres are not wholly outside a camera's frustum.
-uint64_t parts_in(const Jointed &jointed, const Camera &camera);
 
 // Near and far cameras from all sides, some looking past the character.
 Camera hashed_camera(const PosedModel &posed, uint32_t index, float aspect);
