@@ -17,8 +17,10 @@ TEST_F(Shadows, LeaveAllOfTheHostsStateAsItWas)
                 std::unique_ptr<HostileHost> host;
                 if (hostile) host = std::make_unique<HostileHost>(*host_);
                 const State before = dump_state(*host_);
-                const Status status = renderer->draw_shadows(ground_.list_of(people_), options_for(sun, bit), nullptr);
+                passes::ShadowStats stats;
+                const Status status = renderer->draw_shadows(ground_.list_of(people_), options_for(sun, bit), &stats);
                 EXPECT_TRUE(status.ok()) << status.text;
+                EXPECT_EQ(stats.individuals, people_.size());
                 EXPECT_EQ(differences(before, dump_state(*host_)), std::vector<std::string>()) << bit << hostile;
                 EXPECT_EQ(host_->GetError(), 0u);
                 SetUp();
@@ -39,9 +41,11 @@ TEST_F(Shadows, WriteNoDepthNoAlphaAndNoOtherBitOfTheStencil)
     ground_.draw(*host_, width, height);
     const auto depth = plane_of(depth_component, gl::unsigned_int), opaque = plane_of(alpha, gl::unsigned_int);
     for (const int32_t bit : {-1, 4}) {
+        const Picture before = read();
         ASSERT_TRUE(renderer->draw_shadows(ground_.list_of(people_), options_for(sun, bit), nullptr).ok());
         EXPECT_EQ(plane_of(depth_component, gl::unsigned_int), depth);
         EXPECT_EQ(plane_of(alpha, gl::unsigned_int), opaque);
+        EXPECT_GT(differing(read(), before), 1500u);
         const uint32_t own = bit < 0 ? 0 : 1u << bit;
         for (const uint32_t value : plane_of(stencil_index, gl::unsigned_int)) ASSERT_EQ(value | own, 0xffu);
     }

@@ -25,7 +25,8 @@ TEST_F(Shadows, LieWhereRaysSayThatNoLightComes)
             const Picture picture = shown(people_, options_for(light, bit));
             uint32_t wrong = 0;
             for (size_t i = 0; i < expected.size(); ++i) wrong += expected[i] != (picture[3 * i] < lit);
-            EXPECT_LE(wrong * 30, darkened(picture)) << bit;  // edges, and 2 mm between ground and shadow
+            // Edges of the shadow, which lies 2 mm above the ground: 1.8 and 1.5 % of it.
+            EXPECT_LE(wrong * 45, darkened(picture)) << bit;
         }
     }
 }
@@ -33,8 +34,10 @@ TEST_F(Shadows, LieWhereRaysSayThatNoLightComes)
 TEST_F(Shadows, AreTheSameWithAStencilBitAndWithout)
 {
     const Picture by_mask = shown(people_, options_for(sun, -1)), by_stencil = shown(people_, options_for(sun, 3));
-    EXPECT_LE(differing(by_mask, by_stencil) * 200, darkened(by_stencil));
-    EXPECT_GT(differing(by_mask, shown(people_, options_for(lamp, 3))) * 200, darkened(by_stencil));
+    EXPECT_GT(darkened(by_stencil), 1500u);
+    // GL rounds corners to a part of a pixel, and the mask does not: one pixel in llvmpipe, none in softpipe.
+    EXPECT_LE(differing(by_mask, by_stencil), 2u);
+    EXPECT_GT(differing(by_mask, shown(people_, options_for(lamp, 3))), 200u);
 }
 
 TEST_F(Shadows, FallOnThePlaneThatIsAskedFor)
@@ -114,7 +117,8 @@ TEST_F(Shadows, OfPackedVerticesAreThoseOfFloats)
             item.vertices.step = step;
             std::copy_n(offset, 3, item.vertices.offset);
         }
-        EXPECT_LE(differing(shown(packed, options_for(sun, bit)), floats) * 100, darkened(floats));
+        // Half a step of 1 / 8192 m is a hundredth of a pixel: one pixel in llvmpipe, none in softpipe.
+        EXPECT_LE(differing(shown(packed, options_for(sun, bit)), floats), 2u);
     }
 }
 
@@ -135,7 +139,10 @@ TEST_F(Shadows, OfPartsOnGlsMatrixStackAreThoseOfMovedVertices)
         by_stack.vertices = claque::draw::Vertices();
         by_stack.locals = puppet.locals.data();
         const Picture stacked = shown(*renderer, ground_.list_of({by_stack}), options);
-        EXPECT_LE(differing(stacked, moved) * (blob_from > 0 ? 100 : 4), darkened(moved));
+        // An ellipse is found from 32 vertices: every so many of all in one case, and of the corners of triangles in
+        // the other. Two samples of a body give ellipses that differ along their edge: 11.7 %. Meshes are the same.
+        const bool is_ellipse = blob_from == 0;
+        EXPECT_LE(differing(stacked, moved) * 100, is_ellipse ? 14 * darkened(moved) : 0);
     }
 }
 
@@ -151,8 +158,9 @@ TEST_F(Shadows, FromAfarAreEllipsesInTheirPlace)
     EXPECT_LE(stats.vertices, 64u);
     uint32_t both = 0;
     for (size_t i = 0; i < mesh.size(); i += 3) both += mesh[i] < lit && blob[i] < lit;
-    EXPECT_GT(both * 10, darkened(mesh) * 7);
-    EXPECT_LT(darkened(blob) * 10, darkened(mesh) * 17);
+    // An ellipse has no arms and legs: it holds 81 % of the mesh's shadow, and is 1.17 times as large.
+    EXPECT_GT(both * 100, darkened(mesh) * 78);
+    EXPECT_LT(darkened(blob) * 100, darkened(mesh) * 125);
     EXPECT_EQ(wrong_shades(shown(people_, options)), 0u);
     options.none_from_m = 2;
     EXPECT_EQ(darkened(shown(people_, options)), 0u);
@@ -182,7 +190,7 @@ TEST_F(Shadows, ContinueBehindTheEye)
         for (size_t i = 0; i < expected.size(); ++i)
             if (picture[3 * i] != 0) wrong += expected[i] != (picture[3 * i] < lit);
         EXPECT_GT(darkened(picture), 5000u);
-        EXPECT_LE(wrong * 50, darkened(picture)) << bit;
+        EXPECT_LE(wrong * 60, darkened(picture)) << bit;  // edges: 1.6 %
     }
 }
 
