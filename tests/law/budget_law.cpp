@@ -30,6 +30,7 @@ Waits simulate(Scene &scene, double seconds, double frame_s)
         EXPECT_TRUE(scene.try_update(t).ok());
         const frame::Stats &stats = scene.frame.stats();
         EXPECT_EQ(stats.due, stats.animated + stats.deferred);
+        EXPECT_GT(stats.visible, scene.crowd.row_count() / 2);
         if (f == 0) {  // every actor is new
             for (uint32_t i = 0; i < shown.size(); ++i)
                 shown[i] = scene.frame.visibility(scene.crowd, i).shown_s, renewed[i] = t;

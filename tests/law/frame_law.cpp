@@ -150,16 +150,24 @@ TEST(FrameLaw, ACameraJumpRefreshesAtOnce)
     Scene scene;
     const glm::dvec3 near_eye(0, 1.7, 0), far_eye(0, 1.7, 45), target(0, 1, -30);
     for (int i = 0; i < 30; ++i) scene.look(0, far_eye, target), scene.update(10 + i / 60.0);
+    std::vector<frame::ActorVisibility> before;
+    for (uint32_t row = 0; row < scene.crowd.row_count(); ++row)
+        before.push_back(scene.frame.visibility(scene.crowd, row));
     scene.look(0, near_eye, target);
     const uint64_t jumped = scene.update(10.5);
     Scene fresh;
     EXPECT_EQ(fresh.update(10.5), jumped);
+    uint32_t visible = 0, renewed = 0;
     for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
         const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, row);
         if (!seen.visible) continue;
+        ++visible, renewed += seen.period_s < before[row].period_s;
         EXPECT_LE(seen.shown_s, 10.5);
         EXPECT_GT(seen.shown_s, 10.5 - seen.period_s - 1e-9);  // no pose is older than the present period
     }
+    EXPECT_GT(visible, 40u);
+    EXPECT_EQ(visible, scene.frame.stats().visible);
+    EXPECT_GT(renewed, 20u) << "the jump must bring actors nearer";
 }
 
 TEST(FrameLaw, NoActorShowsATimeBeforeItsClipBegan)
@@ -187,6 +195,7 @@ TEST(FrameLaw, AStillClockAndEyeCostNothing)
     const frame::Stats first = scene.frame.stats();
     EXPECT_EQ(first.animated, first.visible);
     EXPECT_EQ(first.skinned, first.visible);
+    ASSERT_GT(first.visible, 40u);
     scene.update(5);
     const frame::Stats &stats = scene.frame.stats();
     EXPECT_EQ(stats.animated, 0u);
@@ -220,6 +229,7 @@ TEST(FrameLaw, PosesAreInTheActorsOwnSpaceSoMovingCostsNoSkinning)
     Scene scene;
     scene.update(5);
     const glm::dvec3 shift(0.01, 0, 0.01);
+    ASSERT_GT(scene.frame.stats().skinned, 40u);
     for (uint32_t row = 0; row < scene.crowd.row_count(); ++row) {
         crowd::Transform place = scene.crowd.transform_of(row);
         place.position += shift;
@@ -228,6 +238,7 @@ TEST(FrameLaw, PosesAreInTheActorsOwnSpaceSoMovingCostsNoSkinning)
     scene.look(0, glm::dvec3(0, 1.7, 0) + shift, glm::dvec3(0, 1, -30) + shift);
     scene.update(5);
     EXPECT_EQ(scene.frame.stats().skinned, 0u);
+    EXPECT_GT(scene.frame.stats().vertices_served, 40u);
 }
 
 }  // namespace claque

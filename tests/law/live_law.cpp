@@ -40,6 +40,7 @@ const Journey journeys[] = {
     {"a trot that trembles",
      [](int frame, double t) { return glm::dvec3(0, 1.7, 40 - 2 * t + 3 * random_of(frame, 4)); }, even_frames}};
 
+// Of actors that are visible in a hundred frames or more, as all of them have to be.
 uint32_t count_steps_back(frame::Clock clock, const Journey &journey)
 {
     Scene scene(people(400, clock));
@@ -53,6 +54,7 @@ uint32_t count_steps_back(frame::Clock clock, const Journey &journey)
     }
     std::vector<double> shown(400, -1);
     std::vector<bool> stepped(400, false);
+    std::vector<uint32_t> frames(400, 0);
     double t = 50;
     for (int f = 0; f < 400; ++f, t += journey.frame_s(f)) {
         scene.look(0, journey.eye(f, t - 50), glm::dvec3(0, 1, -500));
@@ -60,11 +62,13 @@ uint32_t count_steps_back(frame::Clock clock, const Journey &journey)
         for (uint32_t i = 0; i < 400; ++i) {
             const frame::ActorVisibility seen = scene.frame.visibility(scene.crowd, i);
             if (!seen.visible) continue;
+            ++frames[i];
             if (seen.shown_s < shown[i]) stepped[i] = true;
             shown[i] = seen.shown_s;
             EXPECT_LE(seen.shown_s, t);
         }
     }
+    EXPECT_GE(*std::min_element(frames.begin(), frames.end()), 100u) << journey.name;
     return static_cast<uint32_t>(std::count(stepped.begin(), stepped.end(), true));
 }
 

@@ -114,6 +114,7 @@ TEST(PeriodLaw, APeriodOfNothingMeansEveryFrame)
     for (int i = 0; i < 20; ++i) {
         scene.update(3 + i * 0.0007);
         EXPECT_EQ(scene.frame.stats().animated, scene.frame.stats().visible);
+        EXPECT_EQ(scene.frame.stats().visible, 80u);
         EXPECT_EQ(scene.frame.visibility(scene.crowd, 5).shown_s, 3 + i * 0.0007);
         EXPECT_EQ(scene.frame.visibility(scene.crowd, 5).period_s, 0);
     }
