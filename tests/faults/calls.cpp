@@ -234,6 +234,9 @@ const std::vector<Call> &calls()
         std::vector<Call> made;
         add_template_calls(made), add_asset_calls(made), add_people_calls(made), add_walking_calls(made),
             add_record_calls(made), add_stage_calls(made), add_other_calls(made);
+#ifdef CLAQUE_HAS_NAVIGATION
+        add_navigation_calls(made);
+#endif
         return made;
     }();
     return all;

@@ -34,6 +34,7 @@ void add_record_calls(std::vector<Call> &all);
 void add_template_calls(std::vector<Call> &all);
 void add_stage_calls(std::vector<Call> &all);
 void add_walking_calls(std::vector<Call> &all);
+void add_navigation_calls(std::vector<Call> &all);  // with Recast
 void add_other_calls(std::vector<Call> &all);
 
 }  // namespace faults
