@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/geometric.hpp>
+
 namespace claque::test
 {
 
@@ -125,6 +127,38 @@ FootDrift drift_of(Soles &soles, const track::Track &track, double step_s, bool 
             }
             out.each.push_back(worst);
         }
+    return out;
+}
+
+void Swings::add(const Swings &other)
+{
+    seconds += other.seconds, moving_s += other.moving_s, flying_s += other.flying_s;
+    deepest_m = std::max(deepest_m, other.deepest_m);
+}
+
+Swings swings_of(Soles &soles, const track::Track &track, double step_s)
+{
+    Swings out;
+    glm::dvec3 before = track::state_at(track, track.start_s).position;
+    for (double t = step_s; t <= track.length_s; t += step_s) {
+        const double at = track.start_s + t;
+        const glm::dvec3 here = track::state_at(track, at).position;
+        const bool moves = glm::length(here - before) * track.metres_per_unit > 0.3 * step_s;
+        before = here;
+        int standing = 0;
+        for (int f = 0; f < 2; ++f) {
+            const bool stands = std::any_of(track.plants[f].begin(), track.plants[f].end(), [&](const track::Plant &p) {
+                return double(p.begin_s) <= t && t <= double(p.end_s);
+            });
+            standing += stands;
+            if (stands) continue;
+            const SolesInWorld now = soles_at(soles, track, f, at, true);
+            for (const glm::dvec3 &p : now.points) out.deepest_m = std::max(out.deepest_m, now.ground - p.y);
+        }
+        out.seconds += step_s;
+        if (moves) out.moving_s += step_s;
+        if (moves && standing == 0) out.flying_s += step_s;
+    }
     return out;
 }
 

@@ -49,6 +49,16 @@ struct FootDrift {
 // are compared from step to step; the drift is the largest distance that they get from where they touched it.
 FootDrift drift_of(Soles &soles, const track::Track &track, double step_s, bool held = true);
 
+// Feet that the track does not hold. The track might say of none that it stands: the law above would then hold of
+// nothing.
+struct Swings {
+    double seconds = 0, moving_s = 0;  // looked at; of them, faster than 0.3 m/s
+    double flying_s = 0;               // of those, without any foot that stands
+    double deepest_m = 0;              // below the ground, of any swinging foot
+    void add(const Swings &other);
+};
+Swings swings_of(Soles &soles, const track::Track &track, double step_s);
+
 // The largest height of the lower sole over the ground while the track says that a foot stands, metres.
 double lift_of(Soles &soles, const track::Track &track, double step_s);
 
