@@ -14,11 +14,13 @@ public:
     Loader(GetProcAddress get, void *user) : get_(get), user_(user) {}
 
     template <class Function>
-    void operator()(Function &slot, const char *name)
+    void operator()(GlCall<Function> &slot, const char *name)
     {
         slot = nullptr;
         if (missing_) return;
-        thrown_ = base::call_host("get_proc_address", [&] { slot = reinterpret_cast<Function>(get_(user_, name)); });
+        thrown_ = base::call_host("get_proc_address", [&] {
+            slot = reinterpret_cast<typename GlCall<Function>::Pointer>(get_(user_, name));
+        });
         if (!slot) missing_ = name;
     }
     const char *missing() const { return missing_; }

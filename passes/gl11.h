@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "lib/base/floats.h"
 #include "lib/base/status.h"
 
 #if defined(_WIN32)
@@ -79,70 +80,94 @@ constexpr Bits client_pixel_store_bit = 0x1, client_vertex_array_bit = 0x2;
 constexpr Bits all_attrib_bits = 0xfffff, all_client_attrib_bits = 0xffffffff;
 }  // namespace gl
 
+// A function of the host's GL, which runs under the host's floating-point settings: software GL computes with them.
+template <class Function>
+class GlCall;
+template <class Result, class... Arguments>
+class GlCall<Result(Arguments...)>
+{
+public:
+    using Pointer = Result(CLAQUE_GL_CALL *)(Arguments...);
+
+    GlCall(Pointer function = nullptr) : function_(function) {}
+    explicit operator bool() const { return function_ != nullptr; }
+
+    [[gnu::noinline]] Result operator()(Arguments... arguments) const
+    {
+        if (!clq_floats_differ()) return function_(arguments...);
+        const base::Floats<false> host;
+        return function_(arguments...);
+    }
+
+private:
+    Pointer function_;
+};
+
 struct Gl11 {
     using Enum = gl::Enum;
     using Bits = gl::Bits;
     using Bool = gl::Bool;
 
-    const uint8_t *(CLAQUE_GL_CALL *GetString)(Enum name) = nullptr;
-    void(CLAQUE_GL_CALL *GetIntegerv)(Enum name, int32_t *out) = nullptr;
-    void(CLAQUE_GL_CALL *GetDoublev)(Enum name, double *out) = nullptr;
-    void(CLAQUE_GL_CALL *GetPointerv)(Enum name, void **out) = nullptr;
-    Bool(CLAQUE_GL_CALL *IsEnabled)(Enum what) = nullptr;
-    int32_t(CLAQUE_GL_CALL *RenderMode)(Enum mode) = nullptr;
-    void(CLAQUE_GL_CALL *EndList)() = nullptr;
-    void(CLAQUE_GL_CALL *Flush)() = nullptr;
+    GlCall<const uint8_t *(Enum name)> GetString;
+    GlCall<void(Enum name, int32_t *out)> GetIntegerv;
+    GlCall<void(Enum name, double *out)> GetDoublev;
+    GlCall<void(Enum name, void **out)> GetPointerv;
+    GlCall<Bool(Enum what)> IsEnabled;
+    GlCall<int32_t(Enum mode)> RenderMode;
+    GlCall<void()> EndList;
+    GlCall<void()> Flush;
 
-    void(CLAQUE_GL_CALL *Enable)(Enum what) = nullptr;
-    void(CLAQUE_GL_CALL *Disable)(Enum what) = nullptr;
-    void(CLAQUE_GL_CALL *AlphaFunc)(Enum function, float reference) = nullptr;
-    void(CLAQUE_GL_CALL *DepthFunc)(Enum function) = nullptr;
-    void(CLAQUE_GL_CALL *DepthMask)(Bool writes) = nullptr;
-    void(CLAQUE_GL_CALL *ColorMask)(Bool r, Bool g, Bool b, Bool a) = nullptr;
-    void(CLAQUE_GL_CALL *BlendFunc)(Enum source, Enum destination) = nullptr;
-    void(CLAQUE_GL_CALL *PolygonOffset)(float factor, float units) = nullptr;
-    void(CLAQUE_GL_CALL *StencilFunc)(Enum function, int32_t reference, uint32_t mask) = nullptr;
-    void(CLAQUE_GL_CALL *StencilOp)(Enum fails, Enum depth_fails, Enum passes) = nullptr;
-    void(CLAQUE_GL_CALL *StencilMask)(uint32_t mask) = nullptr;
-    void(CLAQUE_GL_CALL *ClearStencil)(int32_t value) = nullptr;
-    void(CLAQUE_GL_CALL *Clear)(Bits buffers) = nullptr;
-    void(CLAQUE_GL_CALL *CullFace)(Enum face) = nullptr;
-    void(CLAQUE_GL_CALL *FrontFace)(Enum winding) = nullptr;
-    void(CLAQUE_GL_CALL *ShadeModel)(Enum model) = nullptr;
-    void(CLAQUE_GL_CALL *LightModeli)(Enum name, int32_t value) = nullptr;
-    void(CLAQUE_GL_CALL *ColorMaterial)(Enum face, Enum what) = nullptr;
-    void(CLAQUE_GL_CALL *TexEnvi)(Enum target, Enum name, int32_t value) = nullptr;
+    GlCall<void(Enum what)> Enable;
+    GlCall<void(Enum what)> Disable;
+    GlCall<void(Enum function, float reference)> AlphaFunc;
+    GlCall<void(Enum function)> DepthFunc;
+    GlCall<void(Bool writes)> DepthMask;
+    GlCall<void(Bool r, Bool g, Bool b, Bool a)> ColorMask;
+    GlCall<void(Enum source, Enum destination)> BlendFunc;
+    GlCall<void(float factor, float units)> PolygonOffset;
+    GlCall<void(Enum function, int32_t reference, uint32_t mask)> StencilFunc;
+    GlCall<void(Enum fails, Enum depth_fails, Enum passes)> StencilOp;
+    GlCall<void(uint32_t mask)> StencilMask;
+    GlCall<void(int32_t value)> ClearStencil;
+    GlCall<void(Bits buffers)> Clear;
+    GlCall<void(Enum face)> CullFace;
+    GlCall<void(Enum winding)> FrontFace;
+    GlCall<void(Enum model)> ShadeModel;
+    GlCall<void(Enum name, int32_t value)> LightModeli;
+    GlCall<void(Enum face, Enum what)> ColorMaterial;
+    GlCall<void(Enum target, Enum name, int32_t value)> TexEnvi;
 
-    void(CLAQUE_GL_CALL *PushAttrib)(Bits groups) = nullptr;
-    void(CLAQUE_GL_CALL *PopAttrib)() = nullptr;
-    void(CLAQUE_GL_CALL *PushClientAttrib)(Bits groups) = nullptr;
-    void(CLAQUE_GL_CALL *PopClientAttrib)() = nullptr;
-    void(CLAQUE_GL_CALL *MatrixMode)(Enum stack) = nullptr;
-    void(CLAQUE_GL_CALL *LoadIdentity)() = nullptr;
-    void(CLAQUE_GL_CALL *LoadMatrixf)(const float *columns) = nullptr;
-    void(CLAQUE_GL_CALL *LoadMatrixd)(const double *columns) = nullptr;
-    void(CLAQUE_GL_CALL *MultMatrixf)(const float *columns) = nullptr;
-    void(CLAQUE_GL_CALL *PushMatrix)() = nullptr;
-    void(CLAQUE_GL_CALL *PopMatrix)() = nullptr;
+    GlCall<void(Bits groups)> PushAttrib;
+    GlCall<void()> PopAttrib;
+    GlCall<void(Bits groups)> PushClientAttrib;
+    GlCall<void()> PopClientAttrib;
+    GlCall<void(Enum stack)> MatrixMode;
+    GlCall<void()> LoadIdentity;
+    GlCall<void(const float *columns)> LoadMatrixf;
+    GlCall<void(const double *columns)> LoadMatrixd;
+    GlCall<void(const float *columns)> MultMatrixf;
+    GlCall<void()> PushMatrix;
+    GlCall<void()> PopMatrix;
 
-    void(CLAQUE_GL_CALL *GenTextures)(int32_t count, uint32_t *names) = nullptr;
-    void(CLAQUE_GL_CALL *DeleteTextures)(int32_t count, const uint32_t *names) = nullptr;
-    void(CLAQUE_GL_CALL *BindTexture)(Enum target, uint32_t name) = nullptr;
-    void(CLAQUE_GL_CALL *TexImage2D)(Enum target, int32_t level, int32_t internal_format, int32_t width, int32_t height,
-                                     int32_t border, Enum format, Enum type, const void *pixels) = nullptr;
-    void(CLAQUE_GL_CALL *TexParameteri)(Enum target, Enum name, int32_t value) = nullptr;
-    void(CLAQUE_GL_CALL *GetTexLevelParameteriv)(Enum target, int32_t level, Enum name, int32_t *out) = nullptr;
-    void(CLAQUE_GL_CALL *PixelStorei)(Enum name, int32_t value) = nullptr;
-    void(CLAQUE_GL_CALL *PixelTransferf)(Enum name, float value) = nullptr;
+    GlCall<void(int32_t count, uint32_t *names)> GenTextures;
+    GlCall<void(int32_t count, const uint32_t *names)> DeleteTextures;
+    GlCall<void(Enum target, uint32_t name)> BindTexture;
+    GlCall<void(Enum target, int32_t level, int32_t internal_format, int32_t width, int32_t height, int32_t border,
+                Enum format, Enum type, const void *pixels)>
+        TexImage2D;
+    GlCall<void(Enum target, Enum name, int32_t value)> TexParameteri;
+    GlCall<void(Enum target, int32_t level, Enum name, int32_t *out)> GetTexLevelParameteriv;
+    GlCall<void(Enum name, int32_t value)> PixelStorei;
+    GlCall<void(Enum name, float value)> PixelTransferf;
 
-    void(CLAQUE_GL_CALL *EnableClientState)(Enum array) = nullptr;
-    void(CLAQUE_GL_CALL *DisableClientState)(Enum array) = nullptr;
-    void(CLAQUE_GL_CALL *VertexPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
-    void(CLAQUE_GL_CALL *NormalPointer)(Enum type, int32_t stride, const void *data) = nullptr;
-    void(CLAQUE_GL_CALL *TexCoordPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
-    void(CLAQUE_GL_CALL *ColorPointer)(int32_t size, Enum type, int32_t stride, const void *data) = nullptr;
-    void(CLAQUE_GL_CALL *DrawElements)(Enum mode, int32_t count, Enum type, const void *indices) = nullptr;
-    void(CLAQUE_GL_CALL *Color4f)(float r, float g, float b, float a) = nullptr;
+    GlCall<void(Enum array)> EnableClientState;
+    GlCall<void(Enum array)> DisableClientState;
+    GlCall<void(int32_t size, Enum type, int32_t stride, const void *data)> VertexPointer;
+    GlCall<void(Enum type, int32_t stride, const void *data)> NormalPointer;
+    GlCall<void(int32_t size, Enum type, int32_t stride, const void *data)> TexCoordPointer;
+    GlCall<void(int32_t size, Enum type, int32_t stride, const void *data)> ColorPointer;
+    GlCall<void(Enum mode, int32_t count, Enum type, const void *indices)> DrawElements;
+    GlCall<void(float r, float g, float b, float a)> Color4f;
 };
 
 inline int32_t integer(const Gl11 &gl, gl::Enum name)

@@ -28,6 +28,11 @@
  * is what GL has drawn. Where a comment of the callback says so, the call goes on instead. A callback must not leave by
  * longjmp, and its thread must not be cancelled in it.
  *
+ * Floating point. claque computes to nearest, keeps denormal numbers, lets x87 compute with 64 bits, and traps nothing,
+ * whatever the host has set. Every call sets this on its thread, as does a task on its own, and puts back what it
+ * found, also when it fails: rounding, flush to zero, precision, traps and the flags of exceptions. Callbacks, and GL
+ * that a call uses, run under the host's settings; what they change there stays changed.
+ *
  * Units. A suffix names the unit: _s seconds, _ms milliseconds, _us microseconds, _hz per second, _rad radians, _deg
  * degrees, _px pixels, _m metres, _m2 square metres, _m_s metres per second, _m_s2 metres per second squared, _bytes
  * bytes, _count a number of things.
@@ -145,6 +150,22 @@ typedef struct clq_allocator {
     /* Gets the sizes that were given to allocate. An exception is ignored, and the memory counts as released. */
     void (*release)(void *user, void *memory, size_t size_bytes, size_t alignment_bytes);
 } clq_allocator;
+
+/* For libraries on top of claque, whose results should not depend on the host's floating-point settings either: sets
+ * this thread's to those under which claque computes, until clq_floats_leave. Calls of claque in between leave them
+ * alone, and callbacks of these calls run under the host's. Returns false, and does nothing, where the thread has
+ * entered already. Threads: any. GL: none. */
+CLQ_API bool clq_floats_enter(void);
+
+/* Puts back the settings that clq_floats_enter found, as such a library does at its end and before it calls a callback
+ * of its host. Returns false, and does nothing, where the thread has not entered. Threads: any; the host may have moved
+ * its work to another one in a callback. GL: none. */
+CLQ_API bool clq_floats_leave(void);
+
+/* Returns whether the settings that clq_floats_enter found on this thread are others than claque's, so that a library
+ * may save leaving them for calls that are short and many. False where the thread has not entered. Threads: any. GL:
+ * none. */
+CLQ_API bool clq_floats_differ(void);
 
 typedef enum clq_log_level { CLQ_LOG_INFO = 0, CLQ_LOG_WARNING = 1 } clq_log_level;
 

@@ -15,7 +15,7 @@ extern "C" {
 
 void clq_dof_write(clq_dof_writer *writer, uint32_t dof, float value, float weight)
 {
-    if (writer) writer->write(dof, value, weight);
+    if (writer) base::with_own_floats([&] { writer->write(dof, value, weight); });
 }
 
 clq_status clq_crowd_add_mechanism(clq_crowd *crowd, const clq_mechanism_def *def, clq_mechanism *out)

@@ -1,4 +1,5 @@
-// The C boundary: an exception becomes a status and this thread's last error; none passes through.
+// The C boundary: an exception becomes a status and this thread's last error; none passes through. The host's
+// floating-point settings do not count inside.
 #pragma once
 
 #include <claque/base.h>
@@ -10,6 +11,7 @@
 
 #include "lib/api/struct_size.h"
 #include "lib/base/error.h"
+#include "lib/base/floats.h"
 #include "lib/base/host_call.h"
 #include "lib/base/status.h"
 
@@ -22,7 +24,7 @@ clq_status boundary(const char *function, const Body &body) noexcept
 {
     char text[1024];
     try {
-        body();
+        base::with_own_floats(body);
         return CLQ_OK;
     } catch (const base::Error &error) {
         std::snprintf(text, sizeof text, "%s: %s", function, error.what());

@@ -1,8 +1,10 @@
-// Calls of the host's callbacks. An exception of a callback ends here and becomes a status.
+// Calls of the host's callbacks, under the host's floating-point settings. An exception of a callback ends here and
+// becomes a status.
 #pragma once
 
 #include <exception>
 
+#include "lib/base/floats.h"
 #include "lib/base/status.h"
 
 namespace claque::base
@@ -13,7 +15,7 @@ template <class Call>
 Status call_host(const char *name, const Call &call) noexcept
 {
     try {
-        call();
+        with_host_floats(call);
         return Status::good();
     } catch (const std::exception &error) {
         return Status::bad(CLQ_CALLBACK, "%s threw an exception: %.160s", name, error.what());
@@ -35,7 +37,7 @@ public:
     {
         if (!ok()) return false;
         try {
-            call();
+            with_host_floats(call);
             return true;
         } catch (const std::exception &error) {
             thrown_ =

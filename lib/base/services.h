@@ -10,6 +10,8 @@
 #include <memory_resource>
 #include <vector>
 
+#include "lib/base/floats.h"
+
 namespace claque::base
 {
 
@@ -108,9 +110,13 @@ private:
         {
             Batch &batch = *static_cast<Batch *>(data);
             if (task >= batch.tasks || !batch.claims.claim(task)) return;
-            const uint32_t last = static_cast<uint32_t>(uint64_t(batch.count) * (task + 1) / batch.tasks);
-            for (uint32_t i = static_cast<uint32_t>(uint64_t(batch.count) * task / batch.tasks); i < last; ++i)
-                batch.body(i);
+            with_own_floats([&] { batch.run_task(task); });
+        }
+
+        void run_task(uint32_t task) const
+        {
+            const uint32_t last = static_cast<uint32_t>(uint64_t(count) * (task + 1) / tasks);
+            for (uint32_t i = static_cast<uint32_t>(uint64_t(count) * task / tasks); i < last; ++i) body(i);
         }
     };
 

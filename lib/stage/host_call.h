@@ -1,10 +1,12 @@
-// Calls of the host's actions. What they throw ends here and goes to the log.
+// Calls of the host's actions, under the host's floating-point settings. What they throw ends here and goes to the log.
 #pragma once
 
 #include <claque/context.h>
 
 #include <cstdio>
 #include <exception>
+
+#include "lib/stage/floats.h"
 
 namespace claque::stage
 {
@@ -14,7 +16,7 @@ void call_host(clq_context *context, const char *action, const Call &call) noexc
 {
     char text[256];
     try {
-        call();
+        with_host_floats(call);
         return;
     } catch (const std::exception &error) {
         std::snprintf(text, sizeof text, "the action '%.80s' threw an exception: %.140s", action, error.what());

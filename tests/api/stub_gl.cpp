@@ -34,7 +34,7 @@ thread_local Bound bound;
 template <class Function>
 struct Idle;
 template <class Result, class... Arguments>
-struct Idle<Result (*)(Arguments...)> {
+struct Idle<GlCall<Result(Arguments...)>> {
     static Result call(Arguments...) { return Result(); }
 };
 

@@ -74,7 +74,10 @@ clq_mechanism_def TestWorld::mechanism(uint32_t kind)
     out.phrase.key_count = 2, out.phrase.keys = keys_, out.phrase.length_s = 1, out.phrase.pause_s = 1;
     out.idle.clip_count = 1, out.idle.clips = &clip_;
     out.host.run = [](void *, const clq_behaviour_call *call, clq_dof_writer *writer) {
-        clq_dof_write(writer, shift, static_cast<float>(0.1 + 0.1 * std::sin(call->time_s)), 0.5f);
+        const bool entered = clq_floats_enter();  // it computes alike under all settings of the host
+        const float value = static_cast<float>(0.1 + 0.1 * std::sin(call->time_s));
+        if (entered) clq_floats_leave();
+        clq_dof_write(writer, shift, value, 0.5f);
     };
     return out;
 }

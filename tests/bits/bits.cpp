@@ -1,5 +1,5 @@
 // Prints a hash each of what libclaque and its companions compute for fixed scenes: equal with every compiler, every
-// optimisation, every processor and every C library (expected.txt). claque_bits [SECTION...]: some sections.
+// optimisation, every processor and every C library (expected.txt).
 #include "tests/bits/bits.h"
 
 #include <cstdio>
@@ -74,22 +74,20 @@ void Seen::add(const clq_view *view, bool with_palettes)
     }
 }
 
-}  // namespace bits
-
-int main(int argc, char **argv)
+int print_sections(const clq_context_def *def, char **first, char **last)
 {
     const std::pair<const char *, void (*)(clq_context *)> sections[] = {
-        {"levels", bits::levels}, {"templates", bits::templates},
-        {"crowds", bits::crowds}, {"mechanisms", bits::mechanisms},
-        {"files", bits::files},   {"tracks", bits::tracks},
-        {"stage", bits::stage}};
+        {"levels", levels}, {"templates", templates}, {"crowds", crowds}, {"mechanisms", mechanisms},
+        {"files", files},   {"tracks", tracks},       {"stage", stage}};
     clq_context *context;
-    bits::check(clq_context_create(nullptr, &context));
+    check(clq_context_create(def, &context));
     for (const auto &[name, run] : sections) {
-        bool wanted = argc == 1;
-        for (int i = 1; i < argc; ++i) wanted = wanted || std::strcmp(argv[i], name) == 0;
+        bool wanted = first == last;
+        for (char **one = first; one != last; ++one) wanted = wanted || std::strcmp(*one, name) == 0;
         if (wanted) run(context);
     }
-    bits::check(clq_context_destroy(context));
+    check(clq_context_destroy(context));
     return std::fflush(stdout) != 0;
 }
+
+}  // namespace bits

@@ -45,6 +45,17 @@ struct Seen {
     void add(const clq_view *view, bool with_palettes);
 };
 
+// Callbacks run under the settings of the host, which may be any.
+class OwnFloats
+{
+public:
+    OwnFloats() { clq_floats_enter(); }
+    ~OwnFloats() { clq_floats_leave(); }
+};
+
+// Prints the sections that are named, or all. Returns an exit status.
+int print_sections(const clq_context_def *def, char **first, char **last);
+
 void levels(clq_context *context);      // levels of detail of the people
 void templates(clq_context *context);   // as prepared, with clips of other skeletons
 void crowds(clq_context *context);      // posed, skinned and listed with each instruction set; key-poses

@@ -77,7 +77,11 @@ void print_seen(const std::string &name, const Seen &seen)
     print("list." + name, seen.list);
 }
 
-double hill(void *, const double point[3]) { return 0.25 + (point[0] - 1000003) * 0.0625 - point[2] * 0.03125; }
+double hill(void *, const double point[3])
+{
+    const OwnFloats own;
+    return 0.25 + (point[0] - 1000003) * 0.0625 - point[2] * 0.03125;
+}
 
 }  // namespace
 

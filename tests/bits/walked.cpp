@@ -12,6 +12,7 @@ namespace
 
 double steps(void *, const double point[3])  // treads of 0.15 m
 {
+    const OwnFloats own;
     return 0.15 * double(int64_t(point[2] / 0.4)) + 0.01 * point[0];
 }
 

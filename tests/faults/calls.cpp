@@ -211,6 +211,10 @@ void add_contexts(std::vector<Call> &all)
     all.push_back({"clq_status_name", [](W) { return *clq_status_name(CLQ_OK) ? CLQ_OK : CLQ_LIMIT; }, quiet});
     all.push_back({"clq_last_error", [](W) { return clq_last_error() ? CLQ_OK : CLQ_LIMIT; }, quiet});
     all.push_back({"clq_report", [](W) { return clq_report(CLQ_OK, "nothing"); }, quiet});
+    all.push_back(
+        {"clq_floats_enter", [](W) { return clq_floats_enter() && clq_floats_leave() ? CLQ_OK : CLQ_LIMIT; }, quiet});
+    all.push_back({"clq_floats_leave", [](W) { return clq_floats_leave() ? CLQ_LIMIT : CLQ_OK; }, quiet});
+    all.push_back({"clq_floats_differ", [](W) { return clq_floats_differ() ? CLQ_LIMIT : CLQ_OK; }, quiet});
     all.push_back({"clq_simd_get", [](W) { return clq_simd_get() <= CLQ_SIMD_FMA ? CLQ_OK : CLQ_LIMIT; }, quiet});
     all.push_back({"clq_simd_set", [](W) { return clq_simd_set(clq_simd_get()); }, quiet});
     all.push_back({"clq_dof_write",

@@ -1,6 +1,7 @@
 #include "tests/faults/watched_gl.h"
 
 #include <cstring>
+#include <optional>
 
 #include "tests/api/failing_memory.h"
 #include "tests/api/stub_gl.h"
@@ -19,6 +20,19 @@ bool enter()
     return true;
 }
 
+// A call from claque meets the settings of the host.
+class HostFloats
+{
+public:
+    HostFloats()
+    {
+        if (between::hostile) meets_.emplace(between::hostile->words);
+    }
+
+private:
+    std::optional<host_floats::Callback> meets_;
+};
+
 template <Id id, class Function>
 struct Watched;
 template <Id id, class Result, class... Arguments>
@@ -27,6 +41,7 @@ struct Watched<id, Result (*)(Arguments...)> {
     static Result call(Arguments... arguments)
     {
         const failing_memory::Unarmed unarmed;
+        const HostFloats floats;
         if (!enter()) return Result();
         if constexpr (std::is_void_v<Result>) {
             if (under && id != Id::DrawElements) under(arguments...);
@@ -53,7 +68,7 @@ clq_gl_function find(void *, const char *name)
 {
     const failing_memory::Unarmed unarmed;
 #define X(one) \
-    if (std::strcmp(name, "gl" #one) == 0) return watch<Id::one, decltype(Gl11::one)>(name);
+    if (std::strcmp(name, "gl" #one) == 0) return watch<Id::one, decltype(Gl11::one)::Pointer>(name);
     CALLS(X)
 #undef X
     return nullptr;

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "lib/stage/error.h"
+#include "lib/stage/floats.h"
 
 namespace claque::stage
 {
@@ -18,7 +19,7 @@ clq_status boundary(const char *function, const Body &body) noexcept
 {
     char text[1024];
     try {
-        body();
+        with_own_floats(body);
         return CLQ_OK;
     } catch (const Error &error) {
         std::snprintf(text, sizeof text, "%s: %s", function, error.what());

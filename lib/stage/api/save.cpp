@@ -67,7 +67,7 @@ clq_status clq_stage_save(const clq_stage *stage, clq_write_function write, void
         const std::vector<uint8_t> bytes = bytes_of(stage::snapshot(stage->director, stage->shown));
         int refused = 0;
         try {
-            refused = write(user, bytes.data(), bytes.size());
+            stage::with_host_floats([&] { refused = write(user, bytes.data(), bytes.size()); });
         } catch (const std::exception &error) {
             fail(CLQ_CALLBACK, "the write function threw an exception: %.160s", error.what());
         } catch (...) {

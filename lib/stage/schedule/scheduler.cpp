@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/stage/floats.h"
 #include "lib/stage/hash.h"
 
 namespace claque::stage
@@ -140,7 +141,9 @@ uint32_t Scheduler::first_paid(Worker &worker)
 double Scheduler::microseconds() const
 {
     try {
-        return limits_.now_s(limits_.now_user) * 1e6;
+        double now_s = 0;
+        with_host_floats([&] { now_s = limits_.now_s(limits_.now_user); });
+        return now_s * 1e6;
     } catch (...) {
         return 0;
     }

@@ -8,6 +8,7 @@ namespace
 {
 
 using claque::passes::Gl11;
+using claque::passes::GlCall;
 using claque::passes::GlFunction;
 
 Gl11 real;
@@ -30,7 +31,7 @@ double number(Value value)
 template <auto member>
 struct Between;
 
-template <class Result, class... Arguments, Result (*Gl11::*member)(Arguments...)>
+template <class Result, class... Arguments, GlCall<Result(Arguments...)> Gl11::*member>
 struct Between<member> {
     static Result call(Arguments... arguments)
     {
