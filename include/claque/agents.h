@@ -107,7 +107,7 @@ static inline clq_agent_def clq_agent_def_init(void)
 
 /* Adds an agent. An agent in view runs its tasks in the priority classes that the machine names, any other one class
  * lower; it counts as in view until clq_stage_tell_view says otherwise.
- * Fails: STRUCT_SIZE, ARGUMENT, LIMIT (16 million agents), OUT_OF_MEMORY. */
+ * Fails: STRUCT_SIZE, ARGUMENT, LIMIT (16 million agents; tasks: claque/stage.h), OUT_OF_MEMORY. */
 CLQ_API clq_status clq_stage_add_agent(clq_stage *stage, const clq_agent_def *def, clq_agent *out);
 
 /* Removes an agent. Its actor stays and shows what it was told so far. Fails: STALE_ID, OUT_OF_MEMORY. */
@@ -154,14 +154,15 @@ typedef struct clq_stage_event {
 CLQ_DEFINE_ZERO_INIT(clq_stage_event)
 
 /* Sends an event. Events of one time arrive in an order that depends on their contents, never on the threads that sent
- * them. Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: any. */
+ * them. Fails: STRUCT_SIZE, STALE_ID, ARGUMENT, LIMIT (as many messages wait as may: claque/stage.h), OUT_OF_MEMORY.
+ * Threads: any. */
 CLQ_API clq_status clq_stage_send(clq_stage *stage, const clq_stage_event *event);
 
 /* Sets a variable of an agent, or one of the crowd.
  *   agent   {0}: a variable of the crowd
  *   value   finite; of a variable that is true or false: 0 or 1
  *   at_s    when it changes; a time that is decided counts as the next tick
- * Fails: STALE_ID, ARGUMENT (a name that is not declared), OUT_OF_MEMORY. Threads: any. */
+ * Fails: STALE_ID, ARGUMENT (a name that is not declared), LIMIT (as clq_stage_send), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_stage_set_variable(clq_stage *stage, clq_agent agent, const char *name, double value,
                                           double at_s);
 
@@ -173,7 +174,7 @@ CLQ_API clq_status clq_stage_get_variable(const clq_stage *stage, clq_agent agen
 /* Tells the stage that agents have come into view or left it. Those that changed get the event "seen" or "unseen".
  *   agents, in_view   [count]
  *   at_s              when they did; a time that is decided counts as the next tick
- * Fails: STALE_ID, ARGUMENT, OUT_OF_MEMORY. Threads: any. */
+ * Fails: STALE_ID, ARGUMENT, LIMIT (as clq_stage_send), OUT_OF_MEMORY. Threads: any. */
 CLQ_API clq_status clq_stage_tell_view(clq_stage *stage, const clq_agent *agents, const bool *in_view, uint32_t count,
                                        double at_s);
 

@@ -21,6 +21,9 @@
  * of the budget, so no class starves: the oldest task of a class waits for at most
  *     ceil(cost / (share * budget)) + 3 ticks.
  *
+ * Limits. Of tasks, and of messages that no step has taken, 2^20 may wait and 64 more for each agent; of commands that
+ * are not applied, 2^20 and 4096 more for each agent. The call that would bring more fails with LIMIT.
+ *
  * GL: none. */
 #ifndef CLAQUE_STAGE_H
 #define CLAQUE_STAGE_H
@@ -76,10 +79,11 @@ CLQ_API clq_status clq_stage_create(clq_context *context, const clq_stage_def *d
 CLQ_API void clq_stage_destroy(clq_stage *stage);
 
 /* Decides all ticks that end at or before a time. Agents act at the times at which their tasks are due; late tasks at
- * the end of the tick that runs them. If memory runs out, the task at work is undone and waits for the next call, and
- * what was decided before stays.
+ * the end of the tick that runs them. If memory runs out or a limit is reached, the task at work is undone and waits
+ * for the next call, and what was decided before stays.
  *   until_s   finite; a time that is decided already does nothing
- * Fails: ARGUMENT, LIMIT (more than a million ticks in one call), OUT_OF_MEMORY, BUSY (another thread decides).
+ * Fails: ARGUMENT, LIMIT (more than a million ticks in one call; tasks, after events that send too many events;
+ * commands that clq_stage_apply has not taken), OUT_OF_MEMORY, BUSY (another thread decides).
  * Threads: the decisions' flow. */
 CLQ_API clq_status clq_stage_step(clq_stage *stage, double until_s);
 
@@ -135,7 +139,7 @@ CLQ_API clq_status clq_stage_get_info(const clq_stage *stage, clq_stage_info *ou
 
 /* Writes the state of a stage: agents, variables, tasks, commands that are not applied, tracks that actors follow. Save
  * the crowd at the same moment. Machines and actions are not written.
- * Fails: ARGUMENT, IO, CALLBACK, OUT_OF_MEMORY, BUSY (the last step ran out of memory within a tick: step again).
+ * Fails: ARGUMENT, IO, CALLBACK, OUT_OF_MEMORY, BUSY (the last step failed within a tick: step again).
  * Threads: no other call may use the stage at the same time. */
 CLQ_API clq_status clq_stage_save(const clq_stage *stage, clq_write_function write, void *user);
 

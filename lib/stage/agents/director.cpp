@@ -79,10 +79,20 @@ void Director::run_tick()
     }
 }
 
+void Director::make_room(size_t more, const char *from, const std::string &name)
+{
+    const size_t most = most_waiting(agents.size());
+    if (scheduler.held() + more > most) scheduler.sweep(*this);
+    if (scheduler.held() + more > most)
+        fail(CLQ_LIMIT, "%zu tasks wait, and %s%.80s would bring %zu more: %zu may wait, 2^20 and 64 for each agent",
+             scheduler.held(), from, name.c_str(), more, most);
+    scheduler.reserve(more);
+}
+
 void Director::take_messages()
 {
     if (messages_.empty()) inbox.take(messages_);
-    scheduler.reserve(messages_.size());
+    make_room(messages_.size(), "messages", "");
     for (const Task &message : messages_) {
         late_messages += message.due_s <= begin_s();
         scheduler.add_message(message);
@@ -145,7 +155,7 @@ void Director::spread(const Task &task)
             if (!agents[i].is_removed && (task.agent_class == none || agents[i].agent_class == task.agent_class))
                 found_.push_back({i, task.per_m_s > 0 ? neighbours.distance_m(agents[i].position, task.place) : 0});
     }
-    scheduler.reserve(found_.size());
+    make_room(found_.size(), "the event ", shared.events[task.index].name);
     Task one = task;
     one.kind = TaskKind::event;
     for (const Neighbours::Found &found : found_) {
@@ -159,7 +169,7 @@ void Director::spread(const Task &task)
 void Director::enter_timetable(const Task &task)
 {
     const Entry &entry = timetable[task.index];
-    scheduler.reserve(2);
+    make_room(2, "the timetable", "");
     Task event = entry.task;
     event.due_s = task.due_s;
     scheduler.add(event);
@@ -183,7 +193,7 @@ void Director::set_variable(const Task &task)
     }
     Agent &agent = agents[task.agent];
     if (agent.is_removed || task.index >= agent.variables.size()) return;
-    scheduler.reserve(1);
+    make_room(1, "a variable", "");
     agent.variables[task.index] = task.value;
     Task check;
     check.kind = TaskKind::check;
@@ -198,7 +208,7 @@ void Director::set_view(const Task &task)
     Agent &agent = agents[task.agent];
     const bool in_view = task.value != 0;
     if (agent.is_removed || agent.in_view == in_view) return;
-    scheduler.reserve(1);
+    make_room(1, "a view", "");
     agent.in_view = in_view;
     Task event;
     event.kind = TaskKind::event;
@@ -228,7 +238,7 @@ void Director::commit(const Task &task)
 {
     if (commands.capacity() < commands.size() + outcome_.commands.size())
         commands.reserve(2 * (commands.size() + outcome_.commands.size()));
-    scheduler.reserve(outcome_.tasks.size());
+    make_room(outcome_.tasks.size(), "the machine ", machines[agents[task.agent].machine]->name);
     if (outcome_.goes) movement->go(task.agent, outcome_.goal, scratch_.now_s);
     if (outcome_.stops && scratch_.is_walker) movement->stop(task.agent, scratch_.now_s);
     // Nothing below throws.
@@ -261,7 +271,7 @@ void Director::commit(const Task &task)
 void Director::wake_readers()
 {
     if (crowd_changed == 0) return;
-    scheduler.reserve(agents.size());
+    make_room(agents.size(), "a variable of the crowd", "");
     Task check;
     check.kind = TaskKind::check;
     check.due_s = after_s();

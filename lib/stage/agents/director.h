@@ -78,6 +78,8 @@ private:
     void prepare(const Task &task) override;
     void run(const Task &task, bool late) override;
 
+    // For more tasks, which `from`, of that name, brings; LIMIT if too many would wait.
+    void make_room(size_t more, const char *from, const std::string &name);
     void run_tick();
     void take_messages();
     void spread(const Task &task);

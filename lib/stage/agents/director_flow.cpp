@@ -33,7 +33,7 @@ void Director::take_moved()
         if (piece.rises) play_on(piece);
     }
     moved_.pieces.clear();
-    scheduler.reserve(moved_.arrivals.size());
+    make_room(moved_.arrivals.size(), "arrivals", "");
     for (const Arrival &arrival : moved_.arrivals) {
         Task event;
         event.due_s = std::max(arrival.time_s, after_s());
@@ -89,6 +89,11 @@ void Director::publish()
         ordered_.push_back(commands[order]);
         with_these = sum(with_these, ordered_.back());
     }
+    if (const size_t held = handover.held(), most = most_commands(agents.size()); held + ordered_.size() > most)
+        fail(CLQ_LIMIT,
+             "%zu commands wait for clq_stage_apply, and the tick up to %g s has %zu more: %zu may wait, 2^20 and 4096 "
+             "for each agent",
+             held, end_s(), ordered_.size(), most);
     handover.publish(ordered_, end_s());
     hash = with_these;
     command_count += commands.size();
@@ -108,7 +113,7 @@ uint32_t Director::add_agent(Agent &&agent, const std::string &agent_class, doub
     }
     agent.agent_class = of_class;
     agents.reserve(index + 1 > agents.capacity() ? 2 * size_t(index) + 16 : 0);
-    scheduler.reserve(1);
+    make_room(1, "an agent", "");
     inbox.change([&](Inbox::Directory &directory) {
         directory.machine_of_agent.reserve(index + 1 > directory.machine_of_agent.capacity() ? 2 * index + 16 : 0);
         if (is_new) directory.shared.classes.push_back(agent_class);
@@ -192,7 +197,7 @@ void Director::add_action(std::unique_ptr<HostAction> action)
 void Director::add_entries(std::vector<Entry> &&entries)
 {
     timetable.reserve(timetable.size() + entries.size());
-    scheduler.reserve(entries.size());
+    make_room(entries.size(), "a timetable", "");
     for (Entry &entry : entries) {
         Task task;
         task.kind = TaskKind::timetable;

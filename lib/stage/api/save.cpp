@@ -63,7 +63,7 @@ clq_status clq_stage_save(const clq_stage *stage, clq_write_function write, void
     return stage::boundary("clq_stage_save", [&] {
         stage::require(stage && write, "stage or write is NULL");
         if (!stage->director.is_between_ticks())
-            fail(CLQ_BUSY, "the last step ran out of memory within a tick: step again before saving");
+            fail(CLQ_BUSY, "the last step failed within a tick: step again before saving");
         const std::vector<uint8_t> bytes = bytes_of(stage::snapshot(stage->director, stage->shown));
         int refused = 0;
         try {

@@ -80,6 +80,7 @@ void Handover::publish(std::vector<Command> &commands, double decided_s)
     if (!commands.empty()) {
         Block *block = fresh();
         block->commands.swap(commands);
+        written_ += block->commands.size();
         tail_->next.store(block, std::memory_order_release);
         tail_ = block;
     }
@@ -122,6 +123,8 @@ void Handover::replace(std::vector<Command> &commands, double decided_s) noexcep
     tail_ = head_;
     read_ = 0;
     head_->commands.swap(commands);
+    written_ = head_->commands.size();
+    read_in_all_.store(0, std::memory_order_relaxed);
     commands.clear();
     decided_s_.store(decided_s, std::memory_order_release);
 }

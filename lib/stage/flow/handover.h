@@ -10,6 +10,9 @@
 namespace claque::stage
 {
 
+// How many commands may wait for the reader.
+constexpr size_t most_commands(size_t agents) { return (size_t(1) << 20) + 4096 * agents; }
+
 class Handover
 {
 public:
@@ -24,7 +27,14 @@ public:
     // The reader: the oldest command up to a time; NULL: there is none. pop() ends it, and its hold of a track goes to
     // the caller.
     Command *front(double time_s);
-    void pop() { ++read_; }
+    void pop()
+    {
+        ++read_;
+        read_in_all_.fetch_add(1, std::memory_order_relaxed);
+    }
+
+    // The writer: commands that the reader has not ended yet.
+    size_t held() const { return static_cast<size_t>(written_ - read_in_all_.load(std::memory_order_relaxed)); }
 
     double decided_s() const { return decided_s_.load(std::memory_order_acquire); }
 
@@ -42,9 +52,11 @@ private:
 
     std::atomic<double> decided_s_;
     std::atomic<Block *> used_{nullptr};
-    Block *tail_ = nullptr;              // the writer's
+    Block *tail_ = nullptr;  // the writer's
+    uint64_t written_ = 0;
     alignas(64) Block *head_ = nullptr;  // the reader's
     size_t read_ = 0;
+    std::atomic<uint64_t> read_in_all_{0};
 };
 
 }  // namespace claque::stage

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/stage/agents/agent.h"
+#include "lib/stage/error.h"
 #include "lib/stage/schedule/task.h"
 
 namespace claque::stage
@@ -26,7 +27,11 @@ public:
     void post_many(uint32_t count, const Body &body)
     {
         const std::lock_guard<std::mutex> lock(mutex_);
-        const size_t before = messages_.size();
+        const size_t before = messages_.size(), most = most_waiting(directory_.machine_of_agent.size());
+        if (before + count > most)
+            fail(CLQ_LIMIT,
+                 "%zu messages wait for clq_stage_step, and here are %u more: %zu may, 2^20 and 64 for each agent",
+                 before, count, most);
         try {
             for (uint32_t i = 0; i < count; ++i) {
                 messages_.emplace_back();

@@ -51,6 +51,18 @@ void Scheduler::put(const Task &task)
     std::push_heap(heap_.begin(), heap_.end(), Later());
 }
 
+void Scheduler::sweep(const Worker &worker)
+{
+    const auto is_pointless = [&](const Key &key) {
+        const Task &task = tasks_[key.slot];
+        if (is_of_stage(task.kind) || worker.is_alive(task)) return false;
+        forget(key.slot);
+        return true;
+    };
+    heap_.erase(std::remove_if(heap_.begin(), heap_.end(), is_pointless), heap_.end());
+    std::make_heap(heap_.begin(), heap_.end(), Later());
+}
+
 // Moves what is due to the classes. What the stage itself has to do is done here, in the order of time.
 void Scheduler::collect(Worker &worker)
 {

@@ -51,7 +51,9 @@ public:
     void add(Task task);
     void add_message(const Task &task);
     size_t waiting() const { return heap_.size(); }
-    size_t kept() const { return tasks_.size() - free_.size(); }  // tasks with a slot: these, and those of open queues
+    size_t held() const { return tasks_.size() - free_.size(); }  // also those that are due
+    // Forgets tasks that have become pointless and whose time has not come. Changes nothing that is decided.
+    void sweep(const Worker &worker);
 
     // Runs the tick that begins after begin_s and ends at end_s.
     void run(double begin_s, double end_s, Worker &worker);

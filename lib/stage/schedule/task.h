@@ -1,6 +1,7 @@
 // A task: what wakes an agent, or the stage, at a time.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "lib/stage/machine/expression.h"
@@ -41,6 +42,9 @@ struct Task {
     double radius_m = 0, per_m_s = 0;
     double place[3] = {};
 };
+
+// How many tasks, and how many messages, may wait: agents that answer each event by several would take all memory.
+constexpr size_t most_waiting(size_t agents) { return (size_t(1) << 20) + 64 * agents; }
 
 inline bool is_of_stage(TaskKind kind) { return kind <= TaskKind::view; }
 

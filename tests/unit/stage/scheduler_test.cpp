@@ -129,14 +129,14 @@ TEST(Scheduler, KeepsNoTaskThatHasRunThatIsPointlessOrThatIsTheStagesOwn)
             }
             try {
                 at.next();
-                EXPECT_EQ(at.scheduler.kept(), waiting_of(at.scheduler)) << "round " << round;
+                EXPECT_EQ(at.scheduler.held(), waiting_of(at.scheduler)) << "round " << round;
             } catch (int) {
                 --at.tick;
             }
         }
         for (int i = 0; i < 100; ++i) at.next();
         EXPECT_EQ(waiting_of(at.scheduler), 0u);
-        EXPECT_EQ(at.scheduler.kept(), 0u);
+        EXPECT_EQ(at.scheduler.held(), 0u);
         EXPECT_GT(at.work.prepared, 50u);
     }
 }
