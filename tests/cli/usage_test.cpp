@@ -41,6 +41,29 @@ TEST_F(Usage, HasTheSameFormEverywhere)
     EXPECT_NE(render.find("\n  FILE TEXT Excludes: --scenario --scene\n"), std::string::npos) << render;
 }
 
+TEST_F(Usage, ASmallStackIsRefusedWithASentenceAndTheLeastOneIsEnough)
+{
+    const auto with_stack = [](const char *kilobytes, std::vector<std::string> arguments) {
+        std::vector<std::string> words = {"sh", "-c", "ulimit -s \"$0\" && exec \"$@\"", kilobytes, CLAQUE_COMMAND};
+        words.insert(words.end(), arguments.begin(), arguments.end());
+        return run_program(words);
+    };
+    std::vector<std::vector<std::string>> works = {{"inspect", "citizen"}, {"cost"}, {"lods", "citizen"}};
+#ifdef CLAQUE_STAGED
+    works.push_back({"stage", CLAQUE_SOURCE_DIR "/samples/scenarios/evacuation.toml", "--seconds", "1"});
+#endif
+    for (const std::vector<std::string> &arguments : works) {
+        for (const char *kilobytes : {"64", "255"}) {
+            const Outcome refused = with_stack(kilobytes, arguments);
+            EXPECT_EQ(refused.code, 1) << arguments[0] << " " << kilobytes << " ended by signal " << refused.signal;
+            EXPECT_EQ(refused.err, "claque: a stack may have " + std::string(kilobytes) +
+                                       " kB, and 256 are wanted: ulimit -s 8192 allows more.\n");
+        }
+        const Outcome enough = with_stack("256", arguments);
+        EXPECT_EQ(enough.code, 0) << arguments[0] << " ended by signal " << enough.signal << ": " << enough.err;
+    }
+}
+
 TEST_F(Usage, WhatIsWrongIsNamedWithTheWayOut)
 {
     const struct {
