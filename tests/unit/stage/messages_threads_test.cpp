@@ -22,12 +22,12 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
     StageWorld world;
     const clq_machine machine = world.machine(machine_text(two_states));
     std::atomic<bool> done{false};
-    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0};
+    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0}, rounds[2] = {{0}, {0}};
     const auto note = [&](clq_status status) {
         EXPECT_TRUE(status == CLQ_OK || status == CLQ_STALE_ID) << clq_last_error();
         told += status == CLQ_OK;
     };
-    const auto speak = [&](const char *name) {
+    const auto speak = [&](const char *name, std::atomic<uint32_t> &spoken) {
         while (!done && !HasFailure()) {
             const clq_agent agent = {newest};
             const double now_s = clq_stage_get_decided_s(world.stage);
@@ -40,6 +40,7 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
             note(clq_stage_set_variable(world.stage, agent, "n", 2, now_s + 0.1));
             note(clq_stage_set_variable(world.stage, {0}, "mood", 3, now_s));
             note(clq_stage_tell_view(world.stage, &agent, &in_view, 1, now_s));
+            ++spoken;
             std::this_thread::yield();
         }
     };
@@ -61,19 +62,27 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
             std::this_thread::yield();
         }
     };
-    std::thread others[] = {std::thread(speak, "go"), std::thread(speak, "back"), std::thread(ask), std::thread(draw)};
-    for (int step = 1; (step <= 60 || told < 500) && !HasFailure(); ++step) {
+    // Both have spoken to the newest agent: the second of the rounds that end from now on began after now.
+    const auto hear_both = [&] {
+        for (std::atomic<uint32_t> &spoken : rounds)
+            for (const uint32_t until = spoken + 2; spoken < until && !HasFailure();) std::this_thread::yield();
+    };
+    std::thread others[] = {std::thread(speak, "go", std::ref(rounds[0])),
+                            std::thread(speak, "back", std::ref(rounds[1])), std::thread(ask), std::thread(draw)};
+    for (int step = 1; step <= 60 && !HasFailure(); ++step) {
+        hear_both();
         EXPECT_EQ(clq_stage_step(world.stage, 0.1 * step), CLQ_OK) << clq_last_error();
         const clq_agent gone = {newest};
         newest = world.agent(machine).index1;
-        if (step % 3 == 0 || step > 60) {  // slow threads shall not meet more and more agents
+        if (step % 3 == 0) {
             EXPECT_EQ(clq_stage_remove_agent(world.stage, gone), CLQ_OK) << clq_last_error();
         }
         std::this_thread::yield();
     }
     done = true;
     for (std::thread &other : others) other.join();
-    EXPECT_GT(world.info().transitions, 10u);
+    EXPECT_GE(world.info().transitions, 60u) << "each step met an agent that was told to go";
+    EXPECT_GE(told, 60u * 2 * 5);
 }
 
 }  // namespace
