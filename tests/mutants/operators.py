@@ -130,7 +130,8 @@ class Changes:
         near = " ".join(t.text for t in self.tokens[max(self.unit.first, i - 6):min(self.unit.last, i + 7)])
         if any(t.kind == "number" and is_float(t.text) for t in self.tokens[max(self.unit.first, i - 3):i + 4]):
             return False
-        return self.unit.keyword == "for" or re.search(r"size \(|count|\b\d+u?\b", near) is not None
+        beside = "number" in (self.tokens[i - 1].kind, self.tokens[i + 1].kind)
+        return self.unit.keyword == "for" or beside or re.search(r"size \(|count", near) is not None
 
     def of_token(self, i):
         token, text = self.tokens[i], self.tokens[i].text

@@ -34,6 +34,9 @@ class Operators(unittest.TestCase):
         self.assertEqual(mutants_of("if (a.size() <= b) return;"),
                          {"comparison": ["if (a.size() > b) return;"], "bound": ["if (a.size() < b) return;"]})
 
+        self.assertEqual(mutants_of("if (n > 3) return;")["bound"], ["if (n >= 3) return;"])
+        self.assertNotIn("bound", mutants_of("if (m[0] > m[1]) return;"))
+
     def test_signs_become_others(self):
         self.assertEqual(mutants_of("x = -a * b - c;"),
                          {"sign": ["x = a * b - c;", "x = -a / b - c;", "x = -a * b + c;"]})
