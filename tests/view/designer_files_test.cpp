@@ -149,7 +149,7 @@ TEST_F(DesignerFiles, OfTheScriptThatBeginsWithNothingAreTheCaseStudyOfRomanSoci
     request.width = 480, request.height = 480;
     request.script_file = "designer.toml";
     request.script = text_of_file(CLAQUE_SOURCE_DIR "/samples/view/scripts/designer.toml");
-    request.folder = "made";
+    request.folder = std::string("made");
     request.save_picture = [](const std::string &, const std::vector<uint8_t> &, int, int) {};
     request.save_text = [&](const std::string &to, const std::string &text) { path = to, saved = text; };
     request.progress = [](const std::string &) {};

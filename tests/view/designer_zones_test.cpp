@@ -162,7 +162,7 @@ TEST_F(DesignerZones, AreSavedAsAPictureWithAColourForEach)
     std::string text, to, message;
     designer().wishes.save_zones = true;
     view::keep_zones(
-        designer(), "made",
+        designer(), view::Folder("made"),
         [&](const std::string &path, const std::vector<uint8_t> &bytes, int width, int height) {
             to = path, rgb = bytes;
             EXPECT_EQ(width, static_cast<int>(map->width()));
@@ -208,7 +208,7 @@ TEST_F(DesignerZones, ThatAreTooSmallToBeReadAgainAreNotNamedAndSaid)
     std::string text, message;
     designer().wishes.save_zones = true;
     view::keep_zones(
-        designer(), "made", [](const std::string &, const std::vector<uint8_t> &, int, int) {},
+        designer(), view::Folder("made"), [](const std::string &, const std::vector<uint8_t> &, int, int) {},
         [&](const std::string &, const std::string &options) { text = options; }, message);
     EXPECT_NE(text.find("=sash'"), std::string::npos) << text;
     EXPECT_EQ(text.find("bead"), std::string::npos) << text;
