@@ -27,7 +27,7 @@ typedef struct clq_agent {
 
 /* A text in TOML: a file, or bytes in memory. */
 typedef struct clq_stage_text {
-    const char *path;  /* of the file, at most 4 MiB; NULL: `text` */
+    const char *path;  /* of a regular file, at most 4 MiB; NULL: `text` */
     const char *text;  /* [text_bytes], not kept */
     size_t text_bytes; /* at most 4 MiB */
     const char *name;  /* of a text in memory, for messages; NULL: "text" */

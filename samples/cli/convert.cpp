@@ -35,7 +35,8 @@ void read_back(const std::string &path, const std::string &glb)
 void convert_old(ConvertArguments a)
 {
     expect_writable(a.out);
-    (void)read_file(a.file);  // says what is wrong with it in the words of all commands
+    expect_readable(a.file);
+    if (!a.options.picture.empty()) expect_readable(a.options.picture, convert::most_picture_bytes);
     a.options.up = a.up.empty() ? char(0) : a.up[0];
     a.limits.memory_bytes = a.memory_mib << 20;
     const convert::Converted made = convert::convert_file(a.file, a.options, a.limits);
@@ -62,8 +63,7 @@ void add_convert(CLI::App &app, Work &chosen)
     c->add_option("--height", a->options.height_m, "Metres that the rest pose is to be high, in place of --unit")
         ->check(CLI::Range(1e-3, 1e4))
         ->excludes(unit);
-    c->add_option("--picture", a->options.picture, "The picture of materials that name none, or one that is missing")
-        ->check(CLI::ExistingFile);
+    c->add_option("--picture", a->options.picture, "The picture of materials that name none, or one that is missing");
     c->add_option("--memory", a->memory_mib, "Memory limit of Assimp in MiB")
         ->capture_default_str()
         ->check(CLI::Range(64, 65536));

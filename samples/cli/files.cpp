@@ -70,8 +70,12 @@ bool is_device(const std::string &path)
 
 std::vector<unsigned char> read_file(const std::string &path)
 {
-    const std::string bytes = text_of(path);
-    return std::vector<unsigned char>(bytes.begin(), bytes.end());
+    std::vector<unsigned char> bytes;
+    const std::string wrong = io::read_in_pieces(path, io::most_file_bytes, [&](const char *piece, size_t size) {
+        bytes.insert(bytes.end(), piece, piece + size);
+    });
+    if (!wrong.empty()) throw scenes::Failure(wrong);
+    return bytes;
 }
 
 std::string text_of(const std::string &path)
@@ -96,6 +100,12 @@ void write_whole(const std::string &path, const void *bytes, size_t size_bytes)
 }
 
 void write_whole(const std::string &path, const std::string &text) { write_whole(path, text.data(), text.size()); }
+
+void expect_readable(const std::string &path, uint64_t most_bytes)
+{
+    const io::RegularFile file(path, most_bytes);
+    if (!file.wrong().empty()) throw scenes::Failure(file.wrong());
+}
 
 void expect_writable(const std::string &path)
 {

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "samples/io/regular_file.h"
+
 namespace cli
 {
 
@@ -16,6 +18,9 @@ std::string text_of(const std::string &path);
 // `path` "-" is standard output. An existing file stays as it was unless the write succeeds.
 void write_whole(const std::string &path, const void *bytes, size_t size_bytes);
 void write_whole(const std::string &path, const std::string &text);
+
+// Fails early where read_file would fail late.
+void expect_readable(const std::string &path, uint64_t most_bytes = io::most_file_bytes);
 
 // Fails early where write_whole would fail late: the folder of `path` must exist and be writable.
 void expect_writable(const std::string &path);

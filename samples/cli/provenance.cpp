@@ -101,7 +101,7 @@ std::string sha256_of_file(const std::string &path)
 {
     SHA256_CTX sum;
     SHA256_Init(&sum);
-    const std::string wrong = io::read_in_pieces(path, [&](const char *piece, size_t size) {
+    const std::string wrong = io::read_in_pieces(path, io::most_file_bytes, [&](const char *piece, size_t size) {
         SHA256_Update(&sum, reinterpret_cast<const uint8_t *>(piece), size);
     });
     if (!wrong.empty()) throw scenes::Failure(wrong);

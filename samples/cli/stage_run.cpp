@@ -179,6 +179,7 @@ void run_stage(const StageArguments &a)
     Progress progress("claque");
     for (const std::string &path : {a.record, a.json, a.save, a.out.empty() ? "" : frame_path(a.out, 0)})
         if (!path.empty()) expect_writable(path);
+    if (!a.restore.empty()) expect_readable(a.restore);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
     auto open = std::make_unique<OpenRun>(library, a);

@@ -102,7 +102,7 @@ bool names_trajectories(const std::string &subject)
 {
     namespace fs = std::filesystem;
     std::error_code ignored;
-    if (!fs::is_regular_file(subject, ignored)) return false;
+    if (!fs::exists(subject, ignored) || fs::is_directory(subject, ignored)) return false;
     const std::string ending = io::ending_of(subject);
     return ending != ".gltf" && ending != ".glb" && ending != ".clq" && !is_other_format(subject);
 }

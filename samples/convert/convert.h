@@ -1,6 +1,7 @@
 // Old character formats (Collada, FBX, MD5, X, 3DS, OBJ, Ogre XML and more) to GLB, by Assimp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,8 @@
 
 namespace convert
 {
+
+constexpr uint64_t most_picture_bytes = uint64_t(256) << 20;
 
 struct Options {
     char up = 0;          // the axis that is up: x, y or z; 0: what the format says, else y

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/version.h>
 
 #include "samples/convert/scene.h"
+#include "samples/io/regular_file.h"
 
 namespace convert
 {
@@ -16,6 +18,16 @@ namespace
 {
 
 constexpr double pi = 3.14159265358979323846;
+
+// Files may name others.
+class RegularFiles : public Assimp::DefaultIOSystem
+{
+public:
+    Assimp::IOStream *Open(const char *file, const char *mode) override
+    {
+        return io::RegularFile(file, io::most_file_bytes).wrong().empty() ? DefaultIOSystem::Open(file, mode) : nullptr;
+    }
+};
 
 void configure(Assimp::Importer &importer)
 {
@@ -123,6 +135,7 @@ Converted import_file(const std::string &path, const Options &options)
 {
     Assimp::Importer importer;
     configure(importer);
+    importer.SetIOHandler(new RegularFiles);  // which the importer deletes
     const aiScene *read = importer.ReadFile(path, import_steps());
     if (!read || !read->mRootNode) {
         const std::string why = importer.GetErrorString();

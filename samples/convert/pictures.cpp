@@ -15,8 +15,6 @@ namespace
 
 namespace fs = std::filesystem;
 
-constexpr uint64_t largest_picture = 256u << 20;
-
 std::string lower(std::string text)
 {
     for (char &c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -58,12 +56,8 @@ std::string find_below(const fs::path &folder, const std::string &name)
 
 std::string bytes_of_file(const std::string &path)
 {
-    std::error_code error;
-    const uint64_t size = fs::file_size(path, error);
-    if (error || size > largest_picture || !fs::is_regular_file(path, error)) return {};
     std::string bytes;
-    const std::string wrong = io::read_whole(path, bytes);
-    if (!wrong.empty()) throw std::runtime_error(wrong);
+    (void)io::read_whole(path, bytes, most_picture_bytes);  // the caller warns
     return bytes;
 }
 

@@ -44,23 +44,36 @@ std::string why(const std::string &path, const char *doing)
     return path + " could not be " + doing + ": " + std::strerror(errno);
 }
 
-std::string read_in_pieces(const std::string &path, const std::function<void(const char *piece, size_t size)> &take)
+std::string too_long(const std::string &path, uint64_t most_bytes)
 {
-    Descriptor file = {open(path.c_str(), O_RDONLY | O_CLOEXEC)};
-    if (file.number < 0) return why(path, "opened");
+    return path + " has more than " + std::to_string(most_bytes) + " bytes, the most that is read of it";
+}
+
+// A file may grow while it is read, and those of /proc have no size.
+std::string read_in_pieces(const std::string &path, uint64_t most_bytes,
+                           const std::function<void(const char *piece, size_t size)> &take)
+{
+    const RegularFile file(path, most_bytes);
+    if (!file.wrong().empty()) return file.wrong();
     char piece[65536];
-    while (true) {
-        const ssize_t got = ::read(file.number, piece, sizeof piece);
+    for (uint64_t have = 0;;) {
+        const ssize_t got = ::read(file.number(), piece, sizeof piece);
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) return why(path, "read");
         if (got == 0) return "";
-        if (got > 0) take(piece, static_cast<size_t>(got));
-        else if (errno != EINTR) return why(path, "read");
+        have += static_cast<uint64_t>(got);
+        if (have > most_bytes) return too_long(path, most_bytes);
+        take(piece, static_cast<size_t>(got));
     }
 }
 
-std::string read_whole(const std::string &path, std::string &bytes)
+std::string read_whole(const std::string &path, std::string &bytes, uint64_t most_bytes)
 {
     bytes.clear();
-    return read_in_pieces(path, [&](const char *piece, size_t size) { bytes.append(piece, size); });
+    std::string wrong =
+        read_in_pieces(path, most_bytes, [&](const char *piece, size_t size) { bytes.append(piece, size); });
+    if (!wrong.empty()) bytes.clear();
+    return wrong;
 }
 
 std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes)

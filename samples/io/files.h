@@ -6,14 +6,18 @@
 #include <functional>
 #include <string>
 
+#include "samples/io/regular_file.h"
+
 namespace io
 {
 
-std::string read_whole(const std::string &path, std::string &bytes);
+// Reads a regular file. `bytes` is then empty, or the whole file.
+std::string read_whole(const std::string &path, std::string &bytes, uint64_t most_bytes = most_text_bytes);
 
 // The same, without holding more than a piece of 64 KiB. A signal ends a process later the more memory it holds: the
 // system gives back about 10 MB in a millisecond.
-std::string read_in_pieces(const std::string &path, const std::function<void(const char *piece, size_t size)> &take);
+std::string read_in_pieces(const std::string &path, uint64_t most_bytes,
+                           const std::function<void(const char *piece, size_t size)> &take);
 
 // Makes the file `draft`, which must not be there, and waits until it is on the disk. `path` is what the sentence
 // names: the place that the draft is for. A draft that could not be completed is removed.
@@ -24,5 +28,6 @@ std::string draft_of(const std::string &path);
 
 // "PATH could not be DOING: REASON", the reason of errno.
 std::string why(const std::string &path, const char *doing);
+std::string too_long(const std::string &path, uint64_t most_bytes);
 
 }  // namespace io

@@ -1,12 +1,12 @@
 #include "samples/io/png.h"
 
 #include <csetjmp>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <stdexcept>
 
 #include <png.h>
+
+#include "samples/io/regular_file.h"
 
 namespace io
 {
@@ -96,11 +96,10 @@ std::vector<unsigned char> quick_png(const std::vector<uint16_t> &values, int wi
 
 bool is_whole_png(const std::string &path, int width, int height)
 {
-    const std::unique_ptr<std::FILE, int (*)(std::FILE *)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+    const RegularFile file(path, most_file_bytes);
     unsigned char head[24], tail[12];
-    if (!file || std::fread(head, 1, sizeof head, file.get()) != sizeof head) return false;
-    if (std::fseek(file.get(), -12, SEEK_END) != 0 || std::fread(tail, 1, sizeof tail, file.get()) != sizeof tail)
-        return false;
+    if (!file.wrong().empty() || file.size() < sizeof head) return false;
+    if (!file.read(0, head, sizeof head) || !file.read(file.size() - sizeof tail, tail, sizeof tail)) return false;
     return png_sig_cmp(head, 0, 8) == 0 && big_endian(head + 16) == static_cast<uint32_t>(width) &&
            big_endian(head + 20) == static_cast<uint32_t>(height) && std::memcmp(tail + 4, "IEND", 4) == 0;
 }

@@ -18,10 +18,8 @@ using Bytes = std::vector<unsigned char>;
 
 Bytes bytes_of(const fs::path &path)
 {
-    std::error_code error;
-    if (!fs::is_regular_file(path, error)) throw Unreadable(path.string() + " is not a file");
     std::string bytes;
-    const std::string wrong = io::read_whole(path.string(), bytes);
+    const std::string wrong = io::read_whole(path.string(), bytes, io::most_file_bytes);
     if (!wrong.empty()) throw Unreadable(wrong);
     return Bytes(bytes.begin(), bytes.end());
 }

@@ -118,7 +118,7 @@ Tolerance tolerance_of(const std::string &name_or_file)
 {
     if (const Tolerance *named = find_named(name_or_file)) return *named;
     std::error_code error;
-    if (!std::filesystem::is_regular_file(name_or_file, error))
+    if (!std::filesystem::exists(name_or_file, error))
         throw Unreadable("there is no tolerance and no file '" + name_or_file +
                          "'; tolerances are exact, gpu, coarse, loose");
     std::string text;

@@ -98,7 +98,7 @@ TEST(Rules, ThatAreWrongAreRefusedAtTheirPlace)
          "the file of rules has an unknown key 'lights'; there are: camera, haze, light, people, sensor"},
         {"[camera]\nfov = 6", "[camera] has an unknown key 'fov'"},
         {"[people]\ncolours = [\"gone.toml\"]",
-         "r.toml:2:11: [people] names a file in 'colours' that is not there: maps/gone.toml could not be opened"},
+         "r.toml:2:11: [people] names a file in 'colours' that cannot be read: maps/gone.toml could not be opened"},
         {"[people]\nclasses = { a = 2 }", "[people.classes] has 'a' = 2, which is not within 0 to 1"},
         {"[people]\ncount = [1.2, 1.8]", "r.toml:2:9: [people] has 'count' that is no whole number"},
         {"[sensor]\njpeg_quality = 40.5", "[sensor] has 'jpeg_quality' that is no whole number"},

@@ -1,5 +1,7 @@
 """Records: what a crowd has shown is shown again by another one."""
 
+import os
+
 import pytest
 
 import claque
@@ -61,3 +63,19 @@ def test_what_is_no_record_is_refused(context, citizen, tmp_path):
             crowd.end_record()
         with pytest.raises(OSError):
             crowd.record(tmp_path / "nowhere" / "run.clt")
+
+
+def test_a_name_that_leads_to_no_file_or_to_a_long_one_is_refused(context, tmp_path):
+    """A pipe without a writer would be waited for, and a device has no end."""
+    pipe, large = tmp_path / "pipe", tmp_path / "large"
+    os.mkfifo(pipe)
+    with open(large, "wb") as file:
+        file.truncate((4 << 30) + 1)
+    for load in (lambda path: claque.Record.load(context, path),
+                 lambda path: claque.Template.load_prepared(context, path)):
+        for path, sentence in ((pipe, "is not a regular file"), ("/dev/zero", "is not a regular file"),
+                               (large, "has more than 4294967296 bytes")):
+            with pytest.raises(claque.Error, match=sentence):
+                load(path)
+        with pytest.raises(OSError):
+            load(tmp_path)

@@ -4,6 +4,7 @@ from ctypes import byref, c_char_p, c_double, c_size_t, c_uint32, c_uint64, c_vo
 
 from . import abi, abi_records
 from .crowd import Crowd
+from .files import read_file
 from .owner import Owned, made
 
 
@@ -23,8 +24,7 @@ class Record(Owned):
 
     @classmethod
     def load(cls, context, path, templates=()):
-        with open(path, "rb") as file:
-            return cls(context, file.read(), templates)
+        return cls(context, read_file(path), templates)
 
     @property
     def info(self):

@@ -5,6 +5,7 @@ from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, 
 import numpy
 
 from . import abi
+from .files import read_file
 from .memory import borrowed
 from .owner import Owned, made
 
@@ -28,8 +29,7 @@ class Template(Owned):
     @classmethod
     def load_prepared(cls, context, path):
         """Reads a prepared template that `claque prepare` wrote."""
-        with open(path, "rb") as file:
-            data = file.read()
+        data = read_file(path)
         return cls(made("clq_template_load", abi.call, context.handle, data, c_size_t(len(data))), context)
 
     @classmethod

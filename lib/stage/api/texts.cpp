@@ -1,7 +1,10 @@
 // Files in, and timetables.
 #include <algorithm>
-#include <cstdio>
-#include <memory>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "lib/stage/api/boundary.h"
 #include "lib/stage/api/stage_handle.h"
@@ -13,21 +16,28 @@ namespace claque::stage
 namespace
 {
 
-struct Close {
-    void operator()(std::FILE *file) const { std::fclose(file); }
+struct Descriptor {
+    ~Descriptor() { close(number); }
+    int number;
 };
 
+// A name may lead to a pipe without a writer, a device without an end, or a folder. With O_NONBLOCK, opening such a
+// pipe does not wait.
 std::string read_file(const char *path)
 {
-    const std::unique_ptr<std::FILE, Close> file(std::fopen(path, "rb"));
-    if (!file) fail(CLQ_IO, "%s cannot be opened", path);
+    const Descriptor file = {open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC)};
+    struct stat facts = {};
+    if (file.number < 0 || fstat(file.number, &facts) != 0)
+        fail(CLQ_IO, "%s cannot be opened: %s", path, std::strerror(errno));
+    if (!S_ISREG(facts.st_mode)) fail(CLQ_IO, "%s is not a regular file", path);
     std::string bytes;
     char piece[16384];
-    for (size_t got; (got = std::fread(piece, 1, sizeof piece, file.get())) > 0;) {
-        bytes.append(piece, got);
+    for (ssize_t got; (got = read(file.number, piece, sizeof piece)) != 0;) {
+        if (got < 0 && errno == EINTR) continue;
+        if (got < 0) fail(CLQ_IO, "%s cannot be read: %s", path, std::strerror(errno));
+        bytes.append(piece, static_cast<size_t>(got));
         if (bytes.size() > max_text_bytes) fail(CLQ_LIMIT, "%s has more than %zu bytes", path, max_text_bytes);
     }
-    if (std::ferror(file.get())) fail(CLQ_IO, "%s cannot be read", path);
     return bytes;
 }
 

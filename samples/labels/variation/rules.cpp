@@ -78,7 +78,7 @@ void read_people(TomlTable &all, const scenes::ScenarioFiles &files, Rules &rule
             const std::string path = name.empty() || name.front() == '/' ? name : files.folder + name;
             const std::string wrong = files.find(path);
             if (!wrong.empty())
-                people.table().refuse("names a file in 'colours' that is not there: " + wrong, "colours");
+                people.table().refuse("names a file in 'colours' that cannot be read: " + wrong, "colours");
             rules.colours.push_back(path), rules.files.push_back(path);
         }
         rules.places["people.colours"] = people.table().place("colours");

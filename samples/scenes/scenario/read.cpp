@@ -1,6 +1,4 @@
 // Reads a scenario: what stands at its top, its sections, and what must hold between them.
-#include <cstdio>
-
 #include "samples/io/files.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/scenario/sections.h"
@@ -36,13 +34,7 @@ void expect_people(TomlTable &all, const Scenario &scenario)
         all.refuse("does not say where its people are: it needs [theatre] or [tracks], [stage] or [[people]]");
 }
 
-std::string why_not_there(const std::string &path)
-{
-    std::FILE *file = std::fopen(path.c_str(), "rb");
-    if (!file) return io::why(path, "opened");
-    std::fclose(file);
-    return "";
-}
+std::string why_not_there(const std::string &path) { return io::RegularFile(path, io::most_file_bytes).wrong(); }
 
 }  // namespace
 
@@ -68,7 +60,8 @@ Scenario read_scenario(const std::string &text, const std::string &where, const 
 ScenarioFiles files_beside(const std::string &path)
 {
     const size_t slash = path.rfind('/');
-    return {slash == std::string::npos ? "" : path.substr(0, slash + 1), io::read_whole, why_not_there};
+    return {slash == std::string::npos ? "" : path.substr(0, slash + 1),
+            [](const std::string &file, std::string &text) { return io::read_whole(file, text); }, why_not_there};
 }
 
 Scenario load_scenario(const std::string &path, const std::string &mechanisms)

@@ -21,7 +21,7 @@ std::string file_of(TomlTable &table, const char *key, const ScenarioFiles &file
     if (name.empty()) table.refuse("has '" + std::string(key) + "' = \"\", which names no file", key);
     const std::string path = name.front() == '/' ? name : files.folder + name;
     const std::string wrong = files.find(path);
-    if (!wrong.empty()) table.refuse("names a file in '" + std::string(key) + "' that is not there: " + wrong, key);
+    if (!wrong.empty()) table.refuse("names a file in '" + std::string(key) + "' that cannot be read: " + wrong, key);
     return path;
 }
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <optional>
 
+#include "samples/io/regular_file.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
@@ -222,8 +222,8 @@ bool is_record(const std::string &file)
 {
     static const char magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'R', 0x1a};
     char found[8] = {};
-    std::ifstream in(file, std::ios::binary);
-    return in.read(found, sizeof found) && std::memcmp(found, magic, sizeof magic) == 0;
+    const io::RegularFile in(file, io::most_record_bytes);
+    return in.wrong().empty() && in.read(0, found, sizeof found) && std::memcmp(found, magic, sizeof magic) == 0;
 }
 
 RecordFile::RecordFile(Library &library, const std::string &file)

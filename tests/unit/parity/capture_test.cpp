@@ -69,7 +69,7 @@ TEST_F(CaptureFolder, IsRefusedIfItHoldsNoResult)
 {
     EXPECT_EQ(refusal("nowhere"), ". is not a folder");
     remove("r", "capture.json");
-    EXPECT_EQ(refusal(), "./capture.json is not a file");
+    EXPECT_EQ(refusal(), "./capture.json could not be opened: No such file or directory");
     write("r", "capture.json", "{");
     EXPECT_EQ(refusal(), "./capture.json is not JSON");
     write("r", "capture.json",

@@ -1,6 +1,10 @@
 // Calls of a stage with wrong arguments are refused with a sentence, and the stage stays as it is.
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "tests/api/expect_refused.h"
 #include "tests/unit/stage/stage_world.h"
@@ -207,11 +211,6 @@ TEST_F(StageArguments, MachinesAndActionsWithoutTheirPartsAreRefused)
     wrong("the text has neither a path nor bytes", [](clq_machine_def &def) { def.source.text_bytes = 1; });
     wrong(
         "/no/such.toml cannot be opened", [](clq_machine_def &def) { def.source.path = "/no/such.toml"; }, CLQ_IO);
-    wrong(
-        "/ cannot be read", [](clq_machine_def &def) { def.source.path = "/"; }, CLQ_IO);
-    wrong(
-        "/dev/zero has more than 4194304 bytes", [](clq_machine_def &def) { def.source.path = "/dev/zero"; },
-        CLQ_LIMIT);
     clq_action_def action = clq_action_def_init();
     expect_refused(clq_stage_add_action(stage_, &action), "decide and show are both NULL");
     action.show = [](void *, const clq_action_call *) {};
@@ -221,6 +220,31 @@ TEST_F(StageArguments, MachinesAndActionsWithoutTheirPartsAreRefused)
     action.name = "bow";
     EXPECT_EQ(clq_stage_add_action(stage_, &action), CLQ_OK) << clq_last_error();
     expect_refused(clq_stage_add_action(stage_, &action), "there is an action 'bow' already");
+}
+
+// A pipe without a writer would be waited for, and a device has no end.
+TEST_F(StageArguments, NamesThatLeadToNoRegularFileOrToALongOneAreRefused)
+{
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::temp_directory_path() / ("claque-stage-" + std::to_string(getpid()));
+    fs::create_directory(folder);
+    const std::string pipe = folder / "pipe", large = folder / "large";
+    EXPECT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    std::ofstream(large).close();
+    fs::resize_file(large, (4 << 20) + 1);
+    for (const std::string &path : {std::string("/dev/zero"), std::string("/"), pipe, large}) {
+        const bool is_regular = path == large;
+        const std::string sentence = path + (is_regular ? " has more than 4194304 bytes" : " is not a regular file");
+        clq_stage_text text = clq_stage_text_init();
+        text.path = path.c_str();
+        expect_refused(clq_stage_add_timetable(stage_, &text, 0), sentence, is_regular ? CLQ_LIMIT : CLQ_IO);
+        clq_machine_def def = clq_machine_def_init();
+        const clq_template *const one[1] = {world_.arm.tmpl};
+        def.source.path = path.c_str(), def.templates = one, def.template_count = 1;
+        clq_machine made{};
+        expect_refused(clq_stage_add_machine(stage_, &def, &made), sentence, is_regular ? CLQ_LIMIT : CLQ_IO);
+    }
+    fs::remove_all(folder);
 }
 
 }  // namespace
