@@ -24,35 +24,6 @@ std::string folder_of(const std::string &path)
     return slash == std::string::npos ? "." : slash == 0 ? "/" : path.substr(0, slash);
 }
 
-// A temporary file that is removed unless it takes its place.
-class Draft
-{
-public:
-    explicit Draft(const std::string &path) : path_(path), draft_(io::draft_of(path)), unfinished_(draft_)
-    {
-        unlink(draft_.c_str());  // of a process that was killed
-    }
-    ~Draft()
-    {
-        if (!kept_) unlink(draft_.c_str());
-    }
-    Draft(const Draft &) = delete;
-    Draft &operator=(const Draft &) = delete;
-
-    void keep(const void *bytes, size_t size_bytes)
-    {
-        const std::string wrong = io::write_new(draft_, path_, bytes, size_bytes);
-        if (!wrong.empty()) throw scenes::Failure(wrong);
-        if (std::rename(draft_.c_str(), path_.c_str()) != 0) fail(path_, "written");
-        kept_ = true;
-    }
-
-private:
-    std::string path_, draft_;
-    io::Unfinished unfinished_;
-    bool kept_ = false;
-};
-
 void write_to_stdout(const void *bytes, size_t size_bytes)
 {
     std::fflush(stdout);
@@ -95,8 +66,11 @@ void write_whole(const std::string &path, const void *bytes, size_t size_bytes)
             fail(path, "written");
         return;
     }
-    Draft draft(path);
-    draft.keep(bytes, size_bytes);
+    const std::string draft = io::draft_of(path);
+    const io::Unfinished unfinished(draft);
+    unlink(draft.c_str());  // of a process that was killed
+    const std::string wrong = io::write_new(draft, path, bytes, size_bytes, true);
+    if (!wrong.empty()) throw scenes::Failure(wrong);
 }
 
 void write_whole(const std::string &path, const std::string &text) { write_whole(path, text.data(), text.size()); }

@@ -4,6 +4,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/provenance.h"
+#include "samples/io/files.h"
 #include "samples/io/json.h"
 #include "samples/labels/frame_files.h"
 #include "samples/scenes/check.h"
@@ -62,12 +63,13 @@ LabelFolder::LabelFolder(std::string path, const labels::Json &settings, bool ag
                               "; choose another folder, or make all anew with --again");
 }
 
-void LabelFolder::write(const labels::FrameFile &file) const
+void LabelFolder::write(const labels::FrameFile &file)
 {
     const fs::path to = fs::path(path_) / file.path;
     std::error_code failed;
     fs::create_directories(to.parent_path(), failed);
     if (failed) throw scenes::Failure("cannot make the folder " + to.parent_path().string() + ": " + failed.message());
+    if (tidied_.insert(to.parent_path().string()).second) io::remove_abandoned_drafts(to.parent_path().string());
     write_whole(to.string(), file.bytes);
 }
 
@@ -85,7 +87,7 @@ labels::Json LabelFolder::kept(int frame) const
     return read;
 }
 
-labels::Json LabelFolder::take(const std::vector<labels::FrameFile> &files, labels::Json about_frame) const
+labels::Json LabelFolder::take(const std::vector<labels::FrameFile> &files, labels::Json about_frame)
 {
     about_frame["settings"] = settings_hash_;
     about_frame["files"] = labels::Json::object();

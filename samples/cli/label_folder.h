@@ -1,6 +1,7 @@
 // A folder of labels. All of its pictures are of the same settings: others are refused.
 #pragma once
 
+#include <set>
 #include <string>
 
 #include "samples/labels/formats.h"
@@ -17,16 +18,18 @@ public:
     LabelFolder(std::string path, const labels::Json &settings, bool again);
 
     // Writes settings.json, before the first picture.
-    void begin() const { write({"settings.json", settings_}); }
-    void write(const labels::FrameFile &file) const;
+    void begin() { write({"settings.json", settings_}); }
+    // The first file in a folder removes what killed processes left there.
+    void write(const labels::FrameFile &file);
     // What a picture says that is labelled already; empty: it is not, or one of its files is not what was written.
     labels::Json kept(int frame) const;
     // Writes a picture: its files, and then what it says, with the SHA-256 of each. With that the picture is whole.
-    labels::Json take(const std::vector<labels::FrameFile> &files, labels::Json about_frame) const;
+    labels::Json take(const std::vector<labels::FrameFile> &files, labels::Json about_frame);
 
 private:
     std::string path_, settings_, settings_hash_;
     bool again_;
+    std::set<std::string> tidied_;
 };
 
 }  // namespace cli

@@ -46,6 +46,19 @@ std::string no_subcommand(const CLI::App &app, int argc, char **argv)
     }
 }
 
+int fail(const std::string &sentence)
+{
+    std::cerr << "claque: " << sentence << (sentence.empty() || sentence.back() == '.' ? "\n" : ".\n");
+    return 1;
+}
+
+// printf shares the buffer of std::cout, but not its state.
+int said_all()
+{
+    std::cout.flush();
+    return std::cout && !std::ferror(stdout) ? 0 : fail("standard output could not be written");
+}
+
 int parse(CLI::App &app, int argc, char **argv)
 {
     try {
@@ -53,19 +66,13 @@ int parse(CLI::App &app, int argc, char **argv)
         return 0;
     } catch (const CLI::Success &help) {
         app.exit(help);
-        return -1;
+        return said_all() == 0 ? -1 : 1;
     } catch (const CLI::ParseError &error) {
         const std::string none = no_subcommand(app, argc, argv);
         if (none.empty()) app.exit(error, std::cerr, std::cerr);
         else std::cerr << none << "\nRun with --help for more information.\n";
         return 2;
     }
-}
-
-int fail(const std::string &sentence)
-{
-    std::cerr << "claque: " << sentence << (sentence.empty() || sentence.back() == '.' ? "\n" : ".\n");
-    return 1;
 }
 
 // A stack that ends is a crash without a word. The most that was measured is between 80 and 96 kB (`stage` with the
@@ -109,9 +116,7 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
         if (parsed != 0) return parsed < 0 ? 0 : parsed;
         io::watch_signals();
         chosen();
-        std::cout.flush();
-        // printf shares the buffer of std::cout, but not its state.
-        return std::cout && !std::ferror(stdout) ? 0 : fail("standard output could not be written");
+        return said_all();
     } catch (const CLI::ParseError &misuse) {
         app.exit(misuse, std::cerr, std::cerr);
         return 2;

@@ -12,7 +12,8 @@ namespace cli
 RunRecord::RunRecord(const std::string &path) : path_(path), draft_(io::draft_of(path)), unfinished_(draft_)
 {
     unlink(draft_.c_str());  // of a process that was killed
-    file_ = std::fopen(draft_.c_str(), "wbx");
+    const int draft = io::open_draft(draft_, path_);
+    file_ = draft < 0 ? nullptr : fdopen(draft, "wb");
     if (!file_) throw scenes::Failure(io::why(path_, "written"));
 }
 

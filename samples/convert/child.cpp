@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
 namespace convert
@@ -45,7 +46,7 @@ void enter_child(const Limits &limits, pid_t parent)
 {
     (void)prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (getppid() != parent) _exit(1);
-    for (const int number : {SIGINT, SIGTERM, SIGPIPE}) std::signal(number, SIG_DFL);
+    io::leave_files_to_parent();
     const int nowhere = open("/dev/null", O_RDWR);
     for (const int standard : {0, 1, 2}) (void)dup2(nowhere, standard);
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which reserve terabytes of address space

@@ -1,14 +1,20 @@
 #include "samples/io/files.h"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <filesystem>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace io
 {
 namespace
 {
+
+constexpr const char *draft_ending = ".part";
 
 struct Descriptor {
     ~Descriptor()
@@ -35,6 +41,25 @@ bool write_all(int file, const void *bytes, size_t size_bytes)
         size_bytes -= static_cast<size_t>(wrote);
     }
     return true;
+}
+
+// The lock says that a process writes the draft. remove_abandoned_drafts() may take it before.
+int new_locked(const std::string &draft, mode_t mode)
+{
+    for (;;) {
+        const int file = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
+        struct stat made = {};
+        if (file < 0 || flock(file, LOCK_EX) != 0 || fstat(file, &made) != 0 || made.st_nlink > 0) return file;
+        close(file);
+    }
+}
+
+bool is_draft(const std::string &name)
+{
+    const size_t at = name.rfind(draft_ending);
+    const size_t number = at + std::strlen(draft_ending);
+    return at != std::string::npos && number < name.size() &&
+           name.find_first_not_of("0123456789", number) == std::string::npos;
 }
 
 }  // namespace
@@ -76,17 +101,43 @@ std::string read_whole(const std::string &path, std::string &bytes, uint64_t mos
     return wrong;
 }
 
-std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes)
+int open_draft(const std::string &draft, const std::string &path)
 {
-    Descriptor file = {open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666)};
+    struct stat older = {};
+    const bool replaces = stat(path.c_str(), &older) == 0 && S_ISREG(older.st_mode);
+    const int file = new_locked(draft, replaces ? 0600 : 0666);
+    if (file < 0 || !replaces) return file;
+    // Only root may give a file away. Without its owner the older mode may give a group what is not meant for it.
+    const bool is_own = fchown(file, older.st_uid, older.st_gid) == 0;
+    (void)fchmod(file, older.st_mode & (is_own ? 07777 : 0707));
+    return file;
+}
+
+std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes,
+                      bool takes_place)
+{
+    Descriptor file = {open_draft(draft, path)};
     if (file.number < 0) return why(path, "written");
+    const Descriptor locked = {fcntl(file.number, F_DUPFD_CLOEXEC, 0)};  // until it has its place
     // A renamed file whose contents are not on the disk yet is empty after a power cut.
-    if (write_all(file.number, bytes, size_bytes) && fsync(file.number) == 0 && file.close() == 0) return "";
+    if (write_all(file.number, bytes, size_bytes) && fsync(file.number) == 0 && file.close() == 0 &&
+        (!takes_place || std::rename(draft.c_str(), path.c_str()) == 0))
+        return "";
     const std::string sentence = why(path, "written");
     unlink(draft.c_str());
     return sentence;
 }
 
-std::string draft_of(const std::string &path) { return path + ".part" + std::to_string(getpid()); }
+std::string draft_of(const std::string &path) { return path + draft_ending + std::to_string(getpid()); }
+
+void remove_abandoned_drafts(const std::string &folder)
+{
+    std::error_code none;
+    for (const auto &entry : std::filesystem::directory_iterator(folder, none)) {
+        if (!is_draft(entry.path().filename().string())) continue;
+        const Descriptor file = {open(entry.path().c_str(), O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC)};
+        if (file.number >= 0 && flock(file.number, LOCK_EX | LOCK_NB) == 0) unlink(entry.path().c_str());
+    }
+}
 
 }  // namespace io

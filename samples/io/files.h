@@ -19,12 +19,20 @@ std::string read_whole(const std::string &path, std::string &bytes, uint64_t mos
 std::string read_in_pieces(const std::string &path, uint64_t most_bytes,
                            const std::function<void(const char *piece, size_t size)> &take);
 
-// Makes the file `draft`, which must not be there, and waits until it is on the disk. `path` is what the sentence
-// names: the place that the draft is for. A draft that could not be completed is removed.
-std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes);
+// Makes the file `draft`, which must not be there, to take the place of `path`: it has the owner and the mode of a file
+// that is there. Returns its descriptor, or -1 with errno.
+int open_draft(const std::string &draft, const std::string &path);
+
+// Writes a draft, waits until it is on the disk, and renames it to `path` where it takes that place. A draft that could
+// not be completed is removed. The sentence names `path`.
+std::string write_new(const std::string &draft, const std::string &path, const void *bytes, size_t size_bytes,
+                      bool takes_place);
 
 // The place where a file or folder is made before it is moved to `path`: beside it, and of this process.
 std::string draft_of(const std::string &path);
+
+// Removes the drafts in a folder that no process writes: those of processes that were killed.
+void remove_abandoned_drafts(const std::string &folder);
 
 // "PATH could not be DOING: REASON", the reason of errno.
 std::string why(const std::string &path, const char *doing);

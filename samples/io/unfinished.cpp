@@ -21,19 +21,53 @@ struct Slot {
 constexpr int slot_count = 64;
 Slot slots[slot_count];
 
-constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+// Those whose default ends a process and that a process can catch. SIGBUS is WatchedPages' too.
+bool is_ending(int number)
+{
+    for (const int other : {SIGKILL, SIGSTOP, SIGXFSZ, SIGCHLD, SIGCONT, SIGTSTP, SIGTTIN, SIGTTOU, SIGURG, SIGWINCH})
+        if (number == other) return false;
+    return true;
+}
+
+template <class Use>
+void for_ending_signals(const Use &use)
+{
+    for (int number = 1; number <= SIGRTMAX; ++number)
+        if (is_ending(number)) use(number);
+}
+
+sigset_t ending_signals()
+{
+    sigset_t all;
+    sigemptyset(&all);
+    for_ending_signals([&](int number) { sigaddset(&all, number); });
+    return all;
+}
+
+// Sent by what a thread did itself. The thread cannot go on.
+bool is_fault(int number)
+{
+    for (const int fault : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV, SIGSYS, SIGTRAP})
+        if (number == fault) return true;
+    return false;
+}
 
 pthread_t main_thread = pthread_self();  // which runs initialisers
 
-extern "C" void claque_io_end(int number)
-{
-    if (passed_to_main_thread(number)) return;
-    remove_unfinished();
-    signal(number, SIG_DFL);
-    raise(number);  // acts when this handler returns: the signal is blocked in it
-}
+extern "C" void claque_io_end(int number) { end_by(number); }
 
 }  // namespace
+
+void end_by(int number)
+{
+    while (passed_to_main_thread(number)) {
+        if (!is_fault(number)) return;
+        pause();
+    }
+    remove_unfinished();
+    signal(number, SIG_DFL);
+    raise(number);  // acts when the handler returns: the signal is blocked in it
+}
 
 // Async-signal-safe calls only. The main thread writes all files: where it runs a handler, no file appears in between.
 bool passed_to_main_thread(int number)
@@ -53,34 +87,31 @@ void remove_unfinished()
 
 void watch_signals()
 {
-    for (const int number : watched) {
-        struct sigaction present = {};
-        if (sigaction(number, nullptr, &present) != 0 || present.sa_handler == SIG_IGN) continue;
-        struct sigaction wanted = {};
-        wanted.sa_handler = claque_io_end;
+    const auto handle = [](int number, void (*handler)(int)) {
+        struct sigaction present = {}, wanted = {};
+        if (sigaction(number, nullptr, &present) != 0 || present.sa_handler != SIG_DFL) return;
+        wanted.sa_handler = handler;
         sigemptyset(&wanted.sa_mask);
         sigaction(number, &wanted, nullptr);
-    }
+    };
+    for_ending_signals([&](int number) { handle(number, claque_io_end); });
+    handle(SIGXFSZ, SIG_IGN);  // the write fails, and a sentence says it
 }
 
 void leave_files_to_parent()
 {
-    for (const int number : watched) {
+    for_ending_signals([](int number) {
         struct sigaction present = {};
         if (sigaction(number, nullptr, &present) == 0 && present.sa_handler == claque_io_end) signal(number, SIG_DFL);
-    }
+    });
     for (Slot &slot : slots) slot.used = false, slot.taken = false;
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int number : watched) sigaddset(&held, number);
+    const sigset_t held = ending_signals();
     pthread_sigmask(SIG_UNBLOCK, &held, nullptr);
 }
 
 SignalsHeld::SignalsHeld()
 {
-    sigset_t held;
-    sigemptyset(&held);
-    for (const int number : watched) sigaddset(&held, number);
+    const sigset_t held = ending_signals();
     pthread_sigmask(SIG_BLOCK, &held, &before_);
 }
 

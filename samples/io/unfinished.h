@@ -1,5 +1,5 @@
-// Signals that end the command: SIGINT, SIGTERM, SIGHUP and SIGPIPE end it at once, wherever it is, by their default
-// action, so that a shell sees which signal it was. What is not complete is removed first.
+// Signals that end the command: all that can be caught end it at once, wherever it is, by their default action, so that
+// a shell sees which signal it was. What is not complete is removed first. SIGXFSZ is ignored: the write fails.
 #pragma once
 
 #include <csignal>
@@ -8,13 +8,15 @@
 namespace io
 {
 
-// To be called by the main thread, which is the one that writes files. Signals that are ignored stay ignored.
+// To be called by the main thread, which is the one that writes files. Signals that are ignored or handled stay so.
 void watch_signals();
 
 // In a child that was forked: signals end it by their default action, and what is unfinished stays the parent's.
 void leave_files_to_parent();
 
-// Both may be called in a signal handler. Sends the signal to the main thread, unless this is the main thread; returns
+// All three may be called in a signal handler. Ends the process by the signal of the handler, and leaves nothing.
+void end_by(int number);
+// Sends the signal to the main thread, unless this is the main thread; returns
 // whether it was sent.
 bool passed_to_main_thread(int number);
 // The main thread may call this. It removes every Unfinished.

@@ -47,8 +47,7 @@ extern "C" void claque_io_lost(int number, siginfo_t *info, void *)
         remove_unfinished();
         _exit(1);
     }
-    signal(number, SIG_DFL);
-    raise(number);
+    end_by(number);
 }
 
 int watch(const std::string &path, const char *data, size_t size)

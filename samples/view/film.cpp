@@ -10,6 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "samples/io/files.h"
 #include "samples/io/unfinished.h"
 #include "samples/scenes/check.h"
 
@@ -84,13 +85,17 @@ Film::Film(const std::string &path, int width, int height)
     // A socket, as writing to a pipe that nothing reads is a signal.
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) refuse_film(path_, std::strerror(errno));
-    const int error = start_ffmpeg(words_for(draft_, width, height), ends[1], process_);
+    std::remove(draft_.c_str());
+    const int draft = io::open_draft(draft_, path_);  // which ffmpeg writes
+    const int error = draft < 0 ? errno : start_ffmpeg(words_for(draft_, width, height), ends[1], process_);
+    if (draft >= 0) close(draft);
     close(ends[1]);
     socket_ = ends[0];
     if (error == 0) return;
     process_ = -1;
     close(socket_);
-    refuse_film(path_, error == ENOENT ? "there is no ffmpeg (Debian: ffmpeg)" : std::strerror(error));
+    if (draft >= 0) std::remove(draft_.c_str());
+    refuse_film(path_, error == ENOENT && draft >= 0 ? "there is no ffmpeg (Debian: ffmpeg)" : std::strerror(error));
 }
 
 Film::~Film()

@@ -1,10 +1,13 @@
 // claque labels --processes: the folder that one process writes, whenever its workers end.
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <fstream>
 #include <random>
+#include <sys/file.h>
 #include <sys/wait.h>
 #include <thread>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -107,6 +110,51 @@ TEST_F(LabelProcesses, AreReplacedWhereTheyEndAndTheFolderIsWhole)
     }
     EXPECT_GE(killed, 12);
     EXPECT_GE(replaced, 4) << "workers that had work";
+}
+
+// Each run ends while it writes a file, and the last one as it should.
+TEST_F(LabelProcesses, KilledAndStartedAgainMakeTheSameFolder)
+{
+    const Words frames = {"--frames", "0:5", "--write", processes_formats};
+    label("one", frames);
+    const auto has_draft = [&] {
+        std::error_code gone;
+        for (fs::recursive_directory_iterator at(path("killed"), gone), end; at != end && !gone; at.increment(gone))
+            if (at->path().filename().string().find(".part") != std::string::npos) return true;
+        return false;
+    };
+    int drafts = 0;
+    for (int run = 0; run < 4; ++run) {
+        const pid_t process = start_claque(words("killed", frames));
+        int state = 0;
+        while (waitpid(process, &state, WNOHANG) == 0) {
+            if (!has_draft()) continue;
+            kill(process, SIGSTOP);
+            if (has_draft()) kill(process, SIGKILL);
+            kill(process, SIGCONT);
+        }
+        drafts += has_draft();
+    }
+    EXPECT_GT(drafts, 0) << "no run was killed while it wrote";
+    label("killed", frames);
+    EXPECT_TRUE(contents("killed") == contents("one"));
+}
+
+// Another job of an array may be writing.
+TEST_F(LabelProcesses, LeaveDraftsThatAreWritten)
+{
+    const Words frames = {"--frames", "0", "--write", "coco"};
+    fs::create_directories(path("one/images"));
+    const std::string written = path("one/images/000001.png.part1"), left = path("one/images/000002.png.part1"),
+                      other = path("one/images/notes.part");
+    for (const std::string &file : {written, left, other}) std::ofstream(file) << "x";
+    const int draft = open(written.c_str(), O_WRONLY | O_CLOEXEC);
+    ASSERT_EQ(flock(draft, LOCK_EX), 0);
+    label("one", frames);
+    EXPECT_TRUE(fs::exists(written));
+    EXPECT_FALSE(fs::exists(left));
+    EXPECT_TRUE(fs::exists(other));
+    close(draft);
 }
 
 TEST_F(LabelProcesses, ThatFailSayWhyAndKeepWhatIsWhole)

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "tests/cli/help.h"
 #include "tests/cli/run.h"
 
 namespace cli_test
@@ -15,11 +16,12 @@ size_t lines(const std::string &text) { return static_cast<size_t>(std::count(te
 
 TEST_F(Usage, HelpIsThereForEveryCommandAndCostsNothing)
 {
-    for (const char *command : {"render", "sheet", "inspect", "dump", "split", "prepare", "bench", "plot", "cost"}) {
-        const Outcome help = claque({command, "--help"});
-        EXPECT_EQ(help.code, 0) << command;
-        EXPECT_NE(help.out.find("Usage"), std::string::npos) << command;
-        EXPECT_EQ(help.err, "") << command;
+    for (std::vector<std::string> command : all_commands()) {
+        command.emplace_back("--help");
+        const Outcome help = claque(command);
+        EXPECT_EQ(help.code, 0) << command[0];
+        EXPECT_NE(help.out.find("Usage"), std::string::npos) << command[0];
+        EXPECT_EQ(help.err, "") << command[0];
     }
     EXPECT_EQ(claque({"--help"}).code, 0);
     EXPECT_EQ(claque({"--version"}).out.substr(0, 7), "claque ");
@@ -61,6 +63,21 @@ TEST_F(Usage, ASmallStackIsRefusedWithASentenceAndTheLeastOneIsEnough)
         }
         const Outcome enough = with_stack("256", arguments);
         EXPECT_EQ(enough.code, 0) << arguments[0] << " ended by signal " << enough.signal << ": " << enough.err;
+    }
+}
+
+TEST_F(Usage, HelpThatCannotBeWrittenIsAFailure)
+{
+    std::vector<std::vector<std::string>> asked = {{"--version"}, {"--help"}, {"parity", "--help"}};
+    for (std::vector<std::string> command : all_commands()) {
+        command.emplace_back("--help");
+        asked.push_back(command);
+    }
+    EXPECT_GT(asked.size(), 20u);
+    for (const std::vector<std::string> &words : asked) {
+        const Outcome full = claque(words, "/dev/full");
+        EXPECT_EQ(full.code, 1) << words[0];
+        EXPECT_EQ(full.err, "claque: standard output could not be written.\n") << words[0];
     }
 }
 

@@ -97,7 +97,7 @@ void Folder::write(const std::string &name, const void *bytes, size_t size_bytes
 {
     const std::string draft = draft_ + "/" + name;
     unfinished_.push_back(std::make_unique<io::Unfinished>(draft));
-    const std::string wrong = io::write_new(draft, path_ + "/" + name, bytes, size_bytes);
+    const std::string wrong = io::write_new(draft, path_ + "/" + name, bytes, size_bytes, false);
     if (!wrong.empty()) throw scenes::Failure(wrong);
 }
 
