@@ -115,7 +115,7 @@ TEST_F(LabelProcesses, AreReplacedWhereTheyEndAndTheFolderIsWhole)
 // Each run ends while it writes a file, and the last one as it should.
 TEST_F(LabelProcesses, KilledAndStartedAgainMakeTheSameFolder)
 {
-    const Words frames = {"--frames", "0:5", "--write", processes_formats};
+    const Words frames = {"--frames", "0:5", "--write", every_format};
     label("one", frames);
     const auto has_draft = [&] {
         std::error_code gone;
