@@ -117,7 +117,11 @@ protected:
     }
 };
 
-TEST_F(Reading, EndsWithOneSentenceWhereNoFileIs)
+class ReadingKind : public Reading, public testing::WithParamInterface<const char *>
+{
+};
+
+TEST_P(ReadingKind, EndsWithOneSentence)
 {
     std::set<std::string> known;
     for (const Words &command : all_commands()) {
@@ -126,18 +130,21 @@ TEST_F(Reading, EndsWithOneSentenceWhereNoFileIs)
         known.insert(name);
     }
     const bool converts = claque({"convert", path("o.obj"), "--out", path("o.glb")}).code == 0;
-    for (const Named &one : all_named)
-        for (const char *kind : kinds) {
-            if (known.count(one.command) == 0 || (one.command == std::string("convert") && !converts)) continue;
-            const std::string words = one.words;
-            if (one.argument == std::string("what") && kind == std::string("folder")) continue;  // a wrong scene's name
-            const size_t at = words.find('@');
-            const std::string file = path("named") + words.substr(at + 1, words.find(' ', at) - at - 1);
-            if (words.find("$folders") == std::string::npos) make(kind, file);
-            expect_refusal(words_of(one, kind), kind);
-            fs::remove_all(file);
-        }
+    const std::string kind = GetParam();
+    for (const Named &one : all_named) {
+        if (known.count(one.command) == 0 || (one.command == std::string("convert") && !converts)) continue;
+        if (one.argument == std::string("what") && kind == "folder") continue;  // a wrong scene's name
+        const std::string words = one.words;
+        const size_t at = words.find('@');
+        const std::string file = path("named") + words.substr(at + 1, words.find(' ', at) - at - 1);
+        if (words.find("$folders") == std::string::npos) make(kind, file);
+        expect_refusal(words_of(one, kind), kind);
+        fs::remove_all(file);
+    }
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, ReadingKind, testing::Values("pipe", "device", "folder", "large"),
+                         [](const auto &kind) { return std::string(kind.param); });
 
 TEST_F(Reading, IsTriedForEveryOptionOfEveryCommand)
 {
