@@ -1,4 +1,7 @@
 // OpenSceneGraph's plugin for files that end in .claque: a description of people (person_file.h) or a scenario.
+#include <claque/base.h>
+
+#include <osg/Notify>
 #include <osgDB/FileNameUtils>
 #include <osgDB/FileUtils>
 #include <osgDB/Registry>
@@ -13,6 +16,25 @@
 
 namespace osg_plugin
 {
+
+// The plugin is a library on top of claque in a host of any floating-point settings: people stand in the same places
+// under all of them.
+class OwnFloats
+{
+public:
+    OwnFloats() : entered_(clq_floats_enter()), differ_(clq_floats_differ()) {}
+    ~OwnFloats()
+    {
+        if (entered_) clq_floats_leave();
+        if (differ_)
+            OSG_INFO << "claque: this program's floating-point settings count for nothing that claque computes\n";
+    }
+    OwnFloats(const OwnFloats &) = delete;
+    OwnFloats &operator=(const OwnFloats &) = delete;
+
+private:
+    bool entered_, differ_;
+};
 
 class Reader : public osgDB::ReaderWriter
 {
@@ -34,6 +56,7 @@ public:
         if (!acceptsExtension(osgDB::getLowerCaseFileExtension(name))) return ReadResult::FILE_NOT_HANDLED;
         const std::string path = osgDB::findDataFile(name, options);
         if (path.empty()) return ReadResult::FILE_NOT_FOUND;
+        const OwnFloats own;
         try {
             const std::optional<PersonFile> person = read_person(path);
             return ReadResult(person ? person_node(*person).get() : scenario_node(path).get());
