@@ -84,8 +84,8 @@ video: command
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
 
-# Without the long tests, which are pictures of levels, pictures by Mesa's reference rasteriser, and each operation on a
-# file that fails.
+# Without the long tests: pictures of levels, pictures by Mesa's reference rasteriser, each operation on a file that
+# fails, each kind of file that is none, and most settings under which bits are the same.
 test: build
 	ctest --preset $(PRESET) -j $(JOBS) --label-exclude '^long$$'
 
