@@ -1,5 +1,6 @@
 # Verbs over the CMake presets. `make run` and `make test` do everything on a bare Debian.
 PRESET ?= release
+LONG_TESTS = ON
 BUILD = build/$(PRESET)
 JOBS ?= $(shell nproc)
 CLAQUE = $(BUILD)/samples/claque
@@ -49,7 +50,7 @@ setup:
 CONFIGURE = mkdir -p build && { cmake --preset $(PRESET) $(1) > build/$(PRESET).log 2>&1 || { cat build/$(PRESET).log; exit 1; }; }
 
 build: setup
-	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON)
+	@$(call CONFIGURE,-DCLAQUE_TESTS=ON -DCLAQUE_BENCHMARKS=ON -DCLAQUE_LONG_TESTS=$(LONG_TESTS))
 	@cmake --build --preset $(PRESET) -j $(JOBS)
 
 # No test, no benchmark and no host, if they are not part of the build already.
@@ -84,10 +85,11 @@ video: command
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
 
-# Without the long tests: pictures of levels, pictures by Mesa's reference rasteriser, each operation on a file that
-# fails, each kind of file that is none, and most settings under which bits are the same.
+# Without the long tests: readers counted block by block, pictures of levels, pictures by Mesa's reference rasteriser,
+# each operation on a file that fails, each kind of file that is none, and most settings under which bits are the same.
+test: LONG_TESTS = OFF
 test: build
-	ctest --preset $(PRESET) -j $(JOBS) --label-exclude '^long$$'
+	ctest --preset $(PRESET) -j $(JOBS)
 
 # make build, the plain suite, then the readers, the C API and the fuzz corpora under ASan and UBSan, and one summary;
 # ci-all also runs test-threads, runs each fuzzer for 20 s and tries ten random mutants.

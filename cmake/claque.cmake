@@ -134,10 +134,14 @@ endfunction()
 
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is
 # the build folder of the test. BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci`
-# runs it under sanitizers, too. LONG: `make test` leaves it out. OPTIMISED: most of its time it runs code of its own.
-# TOGETHER: its cases are one CTest test, as what they share takes longer to make than they take.
+# runs it under sanitizers, too. LONG: without CLAQUE_LONG_TESTS, as by `make test`, it is left out. OPTIMISED: most of
+# its time it runs code of its own. TOGETHER: its cases are one CTest test, as what they share takes longer to make than
+# they take.
 function(claque_test name)
     cmake_parse_arguments(ARG "BYTES;LONG;OPTIMISED;TOGETHER" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
+    if(ARG_LONG AND NOT CLAQUE_LONG_TESTS)
+        return()
+    endif()
     if(NOT ARG_TIMEOUT)
         set(ARG_TIMEOUT 300)
     endif()
@@ -163,9 +167,6 @@ function(claque_test name)
     if(ARG_BYTES)
         list(APPEND properties LABELS bytes)
         add_dependencies(claque_bytes_tests ${name})
-    endif()
-    if(ARG_LONG)
-        list(APPEND properties LABELS long)
     endif()
     if(CMAKE_CROSSCOMPILING OR ARG_TOGETHER)  # every start of an emulator counts
         claque_add_test(${name} ${name} ${properties})

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """Random mutants: which statements are found, what is changed in each, and what is left alone."""
+import sys
+
+sys.path.append(sys.path.pop(0))  # Python's own `random` comes first, which its other modules import
+
 import pathlib
 import subprocess
-import sys
 import tempfile
 import unittest
 
-sys.path.append(sys.path.pop(0))  # of two modules named `random`, Python's comes first
 sys.dont_write_bytecode = True
 from cases import Case
 from operators import applied, population_of
