@@ -85,8 +85,9 @@ video: command
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
 
-# Without the long tests: readers counted block by block, pictures of levels, pictures by Mesa's reference rasteriser,
-# each operation on a file that fails, each kind of file that is none, and most settings under which bits are the same.
+# Without the long tests: readers counted block by block, pictures of levels, figures and the odeon, pictures by Mesa's
+# reference rasteriser, visibility by rays, the evening, reaches of figures, each operation on a file that fails, each
+# kind of file that is none, and most settings under which bits are the same.
 test: LONG_TESTS = OFF
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
