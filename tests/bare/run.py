@@ -61,12 +61,20 @@ def seconds_of(bare, script, log):
     return time.monotonic() - begun
 
 
-def timed(bare, command, logs):
-    """Seconds of a command of the README, once the packages that it would install are there."""
-    log = logs / f"{command.replace(' ', '-')}.log"
+def log_of(command, logs):
+    return logs / f"{command.replace(' ', '-')}.log"
+
+
+def time_one(bare, command, logs, steps):
+    """Adds the seconds of a command of the README, once the packages that it would install are there."""
+    log = log_of(command, logs)
     if command in GROUPS:
         bare.run(f"cmake/setup.sh {GROUPS[command]}", "/claque", log.with_suffix(".packages.log"))
-    return seconds_of(bare, command, log)
+    begun = time.monotonic()
+    try:
+        bare.run(command, "/claque", log)
+    finally:  # those of a command that failed are of use, too
+        steps[command] = time.monotonic() - begun
 
 
 def try_window(bare, blocks, steps, logs):
@@ -87,7 +95,7 @@ def try_commands(bare, blocks, steps, logs):
         for line in re.sub(r"\\\n", " ", text).splitlines():
             words = line.split()
             if line in GROUPS:
-                steps[line] = timed(bare, line, logs)
+                time_one(bare, line, logs, steps)
             else:
                 name = f"claque {words[1]}"
                 seconds = seconds_of(bare, line, logs / f"{name.replace(' ', '-')}.log")
@@ -97,16 +105,11 @@ def try_commands(bare, blocks, steps, logs):
 
 
 def tests_of(log):
-    """(passed, failed, [skipped]) of CTest's output; throws where all were skipped."""
+    """(passed, [failed], [skipped]) of CTest's output."""
     ends = re.findall(r"^ *\d+/\d+ Test +#\d+: (\S+).*?\.{2,} *(\**\w[\w *]*?) +[\d.]+ sec", log, re.M)
     skipped = [name for name, end in ends if "Skipped" in end]
     failed = [name for name, end in ends if end != "Passed" and "Skipped" not in end]
-    passed = len(ends) - len(skipped) - len(failed)
-    if passed == 0:
-        raise Failed("no test passed")
-    if failed:
-        raise Failed(f"{len(failed)} tests failed: {' '.join(failed[:20])}")
-    return passed, len(failed), skipped
+    return len(ends) - len(skipped) - len(failed), failed, skipped
 
 
 def try_suite(suite, root, logs, row):
@@ -117,7 +120,7 @@ def try_suite(suite, root, logs, row):
     steps = row["steps"]
     bare.run(install, log=logs / "install.log")
     subprocess.run(["git", "clone", "-q", str(SOURCE), str(root / "claque")], check=True)
-    steps[make_run] = timed(bare, make_run, logs)
+    time_one(bare, make_run, logs, steps)
     for picture in (root / "claque/out").glob("*.png"):
         shutil.copy(picture, logs)
     row["compiler"] = bare.run("c++ -dumpfullversion").strip()
@@ -129,9 +132,15 @@ def try_suite(suite, root, logs, row):
             attempt(copy, [block for block in blocks if block[0] == section], steps, logs)
         finally:
             copy.remove()
-    steps[make_test] = timed(bare, make_test, logs)
-    log = (logs / f"{make_test.replace(' ', '-')}.log").read_text(errors="replace")
-    row["passed"], row["failed"], row["skipped"] = tests_of(log)
+    try:
+        time_one(bare, make_test, logs, steps)
+    finally:
+        passed, failed, skipped = tests_of(log_of(make_test, logs).read_text(errors="replace"))
+        row.update(passed=passed, failed=len(failed), skipped=skipped)
+        if failed:
+            raise Failed(f"{len(failed)} tests failed: {' '.join(failed[:20])}")
+    if passed == 0:
+        raise Failed("no test passed")
     for command, limit in LIMITS_S.items():
         if steps[command] > limit:
             raise Failed(f"'{command}' took {steps[command]:.0f} s, more than {limit:.0f}")
