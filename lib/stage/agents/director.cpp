@@ -113,6 +113,7 @@ bool Director::is_alive(const Task &task) const
 
 void Director::fetch(uint32_t agent) const
 {
+    if (agent >= agents.size()) return;  // a task of the stage itself, whose agent a saved state may call anything
     const char *at = reinterpret_cast<const char *>(&agents[agent]);
     for (size_t i = 0; i < sizeof(Agent); i += 64) __builtin_prefetch(at + i);
 }
