@@ -14,9 +14,8 @@ constexpr uint64_t first_gap = uint64_t(1) << 53;  // every whole number up to h
 
 bool is_held(int64_t value)
 {
-    uint64_t digits = value < 0 ? 0 - static_cast<uint64_t>(value) : static_cast<uint64_t>(value);
-    while (digits > first_gap && digits % 2 == 0) digits /= 2;
-    return digits <= first_gap;
+    const double held = static_cast<double>(value);
+    return held < 0x1p63 && static_cast<int64_t>(held) == value;
 }
 
 }  // namespace

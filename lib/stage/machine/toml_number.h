@@ -9,8 +9,8 @@
 namespace claque::stage
 {
 
-// The number as the file has it; toml++ itself gives an empty optional for what a double cannot hold. `wrong`: "", or
-// why it is none, as in "is not finite"; what is returned then is infinite or NaN.
+// The number as the file has it. toml++ gives an empty optional for a number that no double holds. `wrong` is "", or
+// the reason for a refusal, as in "is not finite"; the result is then infinite or NaN.
 double number_in(const toml::node &node, std::string &wrong);
 
 // Whether a number of an expression, which was read as `value`, has digits alone and not those of `value`.
