@@ -1,6 +1,5 @@
 // Scenario files: those that come with claque say what is in them, and a file that breaks a rule is refused with file,
 // line, column and the rule.
-#include <ctime>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -231,15 +230,13 @@ TEST(Scenario, OfPeopleWithNumbersThatAreNotWhatTheySayIsRefused)
     expect_refused(one_person + "orientation = [0, 0.6, 0, 0.802]\n", {"of length 1.0016 instead of 1"});
 }
 
-TEST(Scenario, OfThreeHundredThousandPeopleIsRefusedWithinASecond)
+TEST(Scenario, OfThreeHundredThousandPeopleIsRefusedBeforeItIsParsed)
 {
     EXPECT_EQ(refusal_of(crowd_of(10000)), "read");
     expect_refused(crowd_of(10001), {"has 10001 people; it needs 1 to 10000"});
     std::string in_line = "name = 'x'\npeople = [";
     for (int i = 0; i < 300000; ++i) in_line += "{ class = 'c', at = [0, 0, 0] },";
-    for (const std::string &text : {crowd_of(300000), in_line + "]\n"}) {
-        const std::clock_t before = std::clock();
-        expect_refused(text, {"the file has more than 100000 tables"});
-        EXPECT_LT(std::clock() - before, CLOCKS_PER_SEC);
-    }
+    // A parser, which takes seconds, would name the line that is no TOML.
+    for (const std::string &text : {crowd_of(300000), in_line + "]\n"})
+        expect_refused(text + "= no TOML\n", {"the file has more than 100000 tables"});
 }

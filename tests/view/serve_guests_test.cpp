@@ -110,7 +110,7 @@ TEST(Browser, IsRefusedWhereItAsksLate)
     EXPECT_EQ(server.watching(), 0);
 }
 
-TEST(Waiting, LocksNobodyOutWhoKnowsThePassword)
+TEST(Waiting, LocksNoViewerOut)
 {
     view::InputQueue queue;
     view::serve::Server server(patient(), "crowded", 64, 64, queue);
