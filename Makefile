@@ -15,7 +15,7 @@ help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
 	@echo "make command    the claque command alone, with all its subcommands"
 	@echo "make video      the odeon along its camera path as out/odeon.mp4 (needs ffmpeg)"
-	@echo "make test       install what is missing, build, run the tests"
+	@echo "make test       install what is missing, build, run all tests but the longest, which make ci runs"
 	@echo "make ci         make test, the long tests too, then readers, C API and corpora under sanitizers (ci-all: all of CI, 70 minutes at most)"
 	@echo "make nightly    the checks that take too long for CI, for hours, with one table at the end (STEPS='faults soak': some)"
 	@echo "make release    checks version, changelog and tree, runs the tests; sources, wheel, .debs and sums into out/release"

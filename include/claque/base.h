@@ -31,7 +31,7 @@
  * Floating point. claque computes to nearest, keeps denormal numbers, lets x87 compute with 64 bits, and traps nothing,
  * whatever the host has set. Every call sets this on its thread, as does a task on its own, and puts back what it
  * found, also when it fails: rounding, flush to zero, precision, traps and the flags of exceptions. Callbacks, and GL
- * that a call uses, run under the host's settings; what they change there stays changed.
+ * that a call uses, run under the host's settings, which they may change for good.
  *
  * Units. A suffix names the unit: _s seconds, _ms milliseconds, _us microseconds, _hz per second, _rad radians, _deg
  * degrees, _px pixels, _m metres, _m2 square metres, _m_s metres per second, _m_s2 metres per second squared, _bytes

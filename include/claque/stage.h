@@ -21,8 +21,8 @@
  * of the budget, so no class starves: the oldest task of a class waits for at most
  *     ceil(cost / (share * budget)) + 3 ticks.
  *
- * Limits. Of tasks, and of messages that no step has taken, 2^20 may wait and 64 more for each agent; of commands that
- * are not applied, 2^20 and 4096 more for each agent. The call that would bring more fails with LIMIT.
+ * Limits. At most 2^20 tasks wait, and 64 more for each agent. Messages that no step has taken have the same limit. At
+ * most 2^20 commands wait to be applied, and 4096 more for each agent. A call that would bring more fails with LIMIT.
  *
  * GL: none. */
 #ifndef CLAQUE_STAGE_H
@@ -80,7 +80,7 @@ CLQ_API void clq_stage_destroy(clq_stage *stage);
 
 /* Decides all ticks that end at or before a time. Agents act at the times at which their tasks are due; late tasks at
  * the end of the tick that runs them. If memory runs out or a limit is reached, the task at work is undone and waits
- * for the next call, and what was decided before stays.
+ * for the next call. Earlier decisions stay.
  *   until_s   finite; a time that is decided already does nothing
  * Fails: ARGUMENT, LIMIT (more than a million ticks in one call; tasks, after events that send too many events;
  * commands that clq_stage_apply has not taken), OUT_OF_MEMORY, BUSY (another thread decides).

@@ -1,5 +1,5 @@
-// Who computes under which floating-point settings: claque under its own, the host's callbacks under the host's. Bodies
-// are called out of line, so that the compiler computes nothing of them on the other side of a switch.
+// Switches of floating-point settings: claque computes under its own, callbacks run under the host's. Bodies are called
+// out of line, so that the compiler moves no computation across a switch.
 #pragma once
 
 #include <claque/base.h>

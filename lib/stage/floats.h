@@ -1,4 +1,4 @@
-// Who computes under which floating-point settings, as in lib/base/floats.h.
+// Switches of floating-point settings, as in lib/base/floats.h.
 #pragma once
 
 #include <claque/base.h>

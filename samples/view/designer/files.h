@@ -14,8 +14,8 @@ using SaveText = std::function<void(const std::string &path, const std::string &
 class Folder
 {
 public:
-    // `is_all`: who uses the window may be somebody else than its user, so that no name leads out of the folder, to
-    // what is no regular file, or to a file of another user.
+    // `is_all`: a viewer over the network uses the window. No name leads out of the folder, to anything but a regular
+    // file, or to a file of another user.
     Folder(std::string path, bool is_all = false) : path_(std::move(path)), is_all_(is_all) {}
 
     // Of a name that the window has made. Throws scenes::Failure.

@@ -94,7 +94,7 @@ void Server::accept_viewers()
     }
 }
 
-// A free one, or else that of the longest wait for a password: who knows it finds a place, however many wait.
+// Gives a free place, or else the place of the longest wait for a password. Waiting connections lock no viewer out.
 bool Server::give_place(int socket)
 {
     for (auto &viewer : viewers_)

@@ -198,7 +198,7 @@ void Viewer::serve(int socket)
         watches_ = client->state == rfbClientRec::RFB_NORMAL;
         const bool types = client->state == rfbClientRec::RFB_AUTHENTICATION;
         const bool late = !watches_ && Clock::now() > (types ? start + of_seconds(given_.options.typing_s) : deadline);
-        // A browser that waited with its request, so that nobody asked whose page it shows.
+        // A browser sent its request late, so the origin of its page was not checked.
         if (has_to_leave() || late || (client->wsctx && !asked)) {
             v.rfbCloseClient(client);
             v.rfbClientConnectionGone(client);
