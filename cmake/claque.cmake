@@ -134,11 +134,11 @@ endfunction()
 
 # A GoogleTest executable, every case its own CTest test (for another machine: all of them one). WORKING_DIRECTORY is
 # the build folder of the test. BYTES: it feeds readers or the C API with bytes and arguments of any kind; `make ci`
-# runs it under sanitizers, too. LONG: without CLAQUE_LONG_TESTS, as by `make test`, it is left out. OPTIMISED: most of
-# its time it runs code of its own. TOGETHER: its cases are one CTest test, as what they share takes longer to make than
-# they take.
+# runs it under sanitizers, too. LONG: without CLAQUE_LONG_TESTS, as by `make test`, it is left out; LONG_CASES: so are
+# the cases that this filter matches. OPTIMISED: most of its time it runs code of its own. TOGETHER: its cases are one
+# CTest test, as what they share takes longer to make than they take.
 function(claque_test name)
-    cmake_parse_arguments(ARG "BYTES;LONG;OPTIMISED;TOGETHER" "TIMEOUT" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
+    cmake_parse_arguments(ARG "BYTES;LONG;OPTIMISED;TOGETHER" "TIMEOUT;LONG_CASES" "SOURCES;LIBRARIES;ENVIRONMENT;PROPERTIES" ${ARGN})
     if(ARG_LONG AND NOT CLAQUE_LONG_TESTS)
         return()
     endif()
@@ -171,7 +171,11 @@ function(claque_test name)
     if(CMAKE_CROSSCOMPILING OR ARG_TOGETHER)  # every start of an emulator counts
         claque_add_test(${name} ${name} ${properties})
     else()
-        gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+        set(cases "")
+        if(ARG_LONG_CASES AND NOT CLAQUE_LONG_TESTS)
+            set(cases TEST_FILTER -${ARG_LONG_CASES})
+        endif()
+        gtest_discover_tests(${name} ${cases} DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
     endif()
 endfunction()
 
