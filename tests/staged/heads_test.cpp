@@ -66,7 +66,9 @@ enter = [ { call = "leave" } ]
 
 Scenario listening(const char *other = speaker)
 {
-    const std::string folder = testing::TempDir() + "claque_heads";
+    // Tests run side by side, so each has its own.
+    const std::string folder =
+        testing::TempDir() + "claque_heads_" + testing::UnitTest::GetInstance()->current_test_info()->name();
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/listener.toml") << listener;
     std::ofstream(folder + "/speaker.toml") << other;
