@@ -58,7 +58,7 @@ Arm::~Arm()
 {
     clq_crowd_destroy(crowd);
     clq_template_destroy(tmpl);
-    clq_context_destroy(context);
+    EXPECT_EQ(clq_context_destroy(context), CLQ_OK) << clq_last_error();
 }
 
 double Arm::angle(uint32_t joint, double time_s)

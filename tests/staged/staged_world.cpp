@@ -1,5 +1,7 @@
 #include "tests/staged/staged_world.h"
 
+#include "tests/unit/stage/held_tasks.h"
+
 namespace staged_test
 {
 
@@ -28,7 +30,8 @@ uint64_t shown(clq_crowd *crowd, clq_view *view, double time_s)
     return clq_view_get_hash(view);
 }
 
-World::World(const Scenario &scenario, int threads, bool apart, uint64_t seed) : library(threads)
+World::World(const Scenario &scenario, int threads, bool flows_apart, uint64_t seed)
+    : library(threads), apart(flows_apart)
 {
     CrowdOptions options;
     options.seed = seed;
@@ -36,6 +39,11 @@ World::World(const Scenario &scenario, int threads, bool apart, uint64_t seed) :
     stage.apart = apart;
     scene = staged::make_staged(library, options, scenario, stage);
     view = view_of(scene->crowd(), *scene);
+}
+
+World::~World()
+{
+    if (!apart) expect_no_lost_task(run().handle());
 }
 
 uint64_t World::show(double time_s)

@@ -13,6 +13,9 @@ scenes::Scenario evacuation(uint32_t citizens, uint32_t workers);
 
 struct World {
     World(const scenes::Scenario &scenario, int threads, bool apart, uint64_t seed = 1);
+    ~World();
+    World(const World &) = delete;
+    World &operator=(const World &) = delete;
 
     // Shows a frame; returns the hash of its draw list, as a camera above sees it.
     uint64_t show(double time_s);
@@ -21,6 +24,7 @@ struct World {
     scenes::Library library;
     std::unique_ptr<staged::StagedScene> scene;
     scenes::Own<clq_view> view;
+    const bool apart;  // the flow of decisions has a thread of its own
 };
 
 // The hash of what a view of everything sees.

@@ -202,4 +202,16 @@ transitions = [
     EXPECT_EQ(world.variable(agent, "far"), 4);
 }
 
+TEST(StageEvent, IsLateIfItsTimeIsDecidedWhenItComes)
+{
+    Row row;
+    row.world.step(1);
+    for (const double at_s : {0.5, 1.0, 1.0 + 1e-6, 1.02, 1.3}) row.world.send("call", at_s);
+    row.world.step(1.05);
+    EXPECT_EQ(row.world.info().late_messages, 2u);
+    row.world.step(2);
+    EXPECT_EQ(row.world.info().late_messages, 2u);
+    EXPECT_EQ(row.heard(), "55555555555555555555");
+}
+
 }  // namespace

@@ -94,4 +94,18 @@ TEST(StageLimits, CommandsThatNothingAppliesEndWithALimit)
     world.step(until_s + 1);
 }
 
+TEST(StageLimits, AStepDecidesAMillionTicksAndNoMore)
+{
+    clq_stage_def def = clq_stage_def_init();
+    def.tick_s = 0.0625;
+    StageWorld world(&def);
+    world.step(0.125);
+    EXPECT_EQ(clq_stage_step(world.stage, 62500.1875), CLQ_LIMIT);
+    EXPECT_TRUE(says("1000001 ticks of 0.0625 s are missing up to 62500.2 s: a step decides 1000000 at most"))
+        << clq_last_error();
+    EXPECT_EQ(clq_stage_get_decided_s(world.stage), 0.125);
+    world.step(62500.125);
+    EXPECT_EQ(clq_stage_get_decided_s(world.stage), 62500.125);
+}
+
 }  // namespace

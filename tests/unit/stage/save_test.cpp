@@ -192,6 +192,8 @@ TEST(SavedStage, SurvivesAnyBytes)
         run.saved();
     }
     EXPECT_GT(accepted, 40);
+    EXPECT_EQ(clq_stage_restore(run.world.stage, run.world.arm.crowd, good.data(), good.size()), CLQ_OK);
+    run.world.step(4);
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "tests/unit/stage/stage_world.h"
 
+#include "tests/unit/stage/held_tasks.h"
+
 std::string machine_text(const std::string &rest)
 {
     return "machine = \"m\"\n[variables]\nn = 0.0\nlog = 0.0\nopen = false\n[crowd]\nmood = 0.0\n"
@@ -12,7 +14,11 @@ StageWorld::StageWorld(const clq_stage_def *def)
     EXPECT_EQ(clq_stage_create(arm.context, def, &stage), CLQ_OK) << clq_last_error();
 }
 
-StageWorld::~StageWorld() { clq_stage_destroy(stage); }
+StageWorld::~StageWorld()
+{
+    expect_no_lost_task(stage);
+    clq_stage_destroy(stage);
+}
 
 clq_machine StageWorld::machine(const std::string &text)
 {
