@@ -153,6 +153,47 @@ TEST(Spheres, HoldWhatBulgesOutBetweenTwoPoses)
     }
 }
 
+// A small sheet on a long arm turns about z within one step, and a still one lies on the other side, so that the centre
+// of the sphere is far behind the axis: whichever of the two poses is nearer, and on either side of the farthest point.
+TEST(Spheres, HoldTheWholeArcBetweenAnyTwoPoses)
+{
+    for (const float away : {4.0f, 20.0f})
+        for (int from = -160; from <= 160; from += 20)
+            for (const int turn : {-110, -50, 50, 110}) {
+                model::Model m = empty_model();
+                m.parts.push_back(sheet_part(1, 1));
+                m.parts[0].material = model::none;
+                m.rig.parents.push_back(model::none);
+                m.rig.rest.push_back(math::Trs());
+                m.rig.node_names.emplace_back("still");
+                m.rig.palette.push_back({1, math::Affine()});
+                m.parts.push_back(m.parts[0]);
+                for (auto &p : m.parts[0].positions) p = p * 0.1f + glm::vec3(2, 0, 0);
+                for (auto &p : m.parts[1].positions) p = p * 0.1f + glm::vec3(-away, 0, 0);
+                m.parts[1].joints.assign(4, 1);
+                m.rig.clips.push_back({0, 1, 0, 1 / 60.0f});
+                m.rig.clip_names.emplace_back("whirl");
+                m.rig.times = {0, 1 / 60.0f};
+                for (const int degrees : {from, from + turn}) {
+                    const float half = 0.5f * 0.01745329f * float(degrees);
+                    m.rig.values.insert(m.rig.values.end(), {0.0f, 0.0f, std::sin(half), std::cos(half)});
+                }
+                m.rig.channels.push_back({0, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 2, 0});
+                const auto tmpl = built(m);
+                const model::Level &level = tmpl->levels[0];
+                pose::Workspace workspace(tmpl->rig);
+                for (int step = 0; step <= 60; ++step) {
+                    const auto palette = workspace.pose(0, step / 3600.0);
+                    for (uint32_t v = 0; v < level.source_count; ++v) {
+                        const float *p = &level.positions[3 * v];
+                        const glm::vec3 at = math::transform_point(palette[level.joints[v]], {p[0], p[1], p[2]});
+                        ASSERT_LE(glm::distance(at, tmpl->sklsroot.centre), tmpl->sklsroot.radius)
+                            << from << " to " << from + turn << " at " << step;
+                    }
+                }
+            }
+}
+
 TEST(Spheres, ClipsAreLookedAtAtTheirKeysAndSixtyTimesASecond)
 {
     const model::Model m = arm(model::Interpolation::linear);

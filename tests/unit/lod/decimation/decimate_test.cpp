@@ -125,6 +125,25 @@ TEST(Decimate, KeepsCloseToTheSurface)
     }
 }
 
+// A joint that a vertex names twice counts with the sum of both weights.
+TEST(Decimate, TakesAnInfluenceInTwoHalvesAsTheWhole)
+{
+    const model::Part whole = tube(12, 24);
+    model::Part halves = whole;
+    halves.influence_count = 3;
+    halves.joints.clear(), halves.weights.clear();
+    for (size_t v = 0; v < whole.positions.size(); ++v) {
+        const float half = 0.5f * whole.weights[2 * v + 1];
+        halves.joints.insert(halves.joints.end(), {1, 0, 1});
+        halves.weights.insert(halves.weights.end(), {half, whole.weights[2 * v], half});
+    }
+    for (const size_t target : {400u, 200u, 60u}) {
+        const lod::Decimated a = to(whole, target), b = to(halves, target);
+        EXPECT_EQ(a.parts[0].positions, b.parts[0].positions) << target;
+        EXPECT_EQ(a.parts[0].indices, b.parts[0].indices) << target;
+    }
+}
+
 // On the wrong side of a seam a triangle would span the whole texture.
 TEST(Decimate, NeverLetsATriangleStraddleASeam)
 {
