@@ -177,6 +177,21 @@ TEST(Lists, HoldTheColoursOfTheirItemsOneAfterTheOther)
     EXPECT_FALSE(view.colours.empty());
 }
 
+TEST(Stats, AreNoneBeforeTheFirstUpdate)
+{
+    World world;
+    const frame::Stats &stats = world.frame.stats();
+    EXPECT_EQ(stats.groups + stats.groups_visible + stats.tested + stats.passed_refpoint + stats.passed_sklsroot, 0u);
+    EXPECT_EQ(stats.crossing + stats.sphere_tests + stats.spheres_built + stats.roots_placed + stats.distances, 0u);
+    EXPECT_EQ(stats.matrices_needed + stats.products + stats.products_tracked + stats.visible + stats.frame_bytes, 0u);
+    EXPECT_EQ(stats.due + stats.animated + stats.matrices_built + stats.skinned + stats.palette_served, 0u);
+    EXPECT_EQ(stats.vertices_served + stats.on_demand + stats.left_out + stats.deferred + stats.overdue, 0u);
+    EXPECT_EQ(stats.over_budget + stats.evicted + stats.cache_bytes + stats.cache_pool_bytes + stats.arena_bytes, 0u);
+    for (const frame::Band &band : stats.bands) EXPECT_EQ(band.actor_frames + band.animated, 0u);
+    EXPECT_FALSE(world.frame.step_times().measured);
+    EXPECT_EQ(world.frame.last_time_s(), 0);
+}
+
 TEST(LiveClock, BindsNoActorThatItHasNotShown)
 {
     frame::Settings settings;
@@ -187,4 +202,27 @@ TEST(LiveClock, BindsNoActorThatItHasNotShown)
     world.update(-7);
     for (uint32_t i = 0; i < robots; ++i)
         if (is_shown(i)) EXPECT_NEAR(world.seen(world.ids[i]).shown_s, -7, 0.5) << i;
+}
+
+// What moves away has longer periods, whose ticks may lie before the one that was shown.
+TEST(LiveClock, BindsActorsFromTheFirstUpdateOn)
+{
+    frame::Settings settings;
+    settings.clock = frame::Clock::live;
+    World world(settings), reference;
+    for (World *one : {&world, &reference}) {
+        stand_in_view(*one);
+        one->look({0, 1.7, 0}, {0, 1, -30});
+        one->update(1);
+    }
+    std::vector<double> before;
+    for (const crowd::Id id : world.ids) before.push_back(world.seen(id).shown_s);
+    uint32_t earlier = 0;
+    for (World *one : {&world, &reference}) one->views[0]->camera.eye.z = 60, one->update(1.0005);
+    for (uint32_t i = 0; i < robots; ++i) {
+        if (!is_shown(i)) continue;
+        EXPECT_GE(world.seen(world.ids[i]).shown_s, before[i]) << i;
+        earlier += reference.seen(reference.ids[i]).shown_s < before[i];
+    }
+    EXPECT_GT(earlier, 50u) << "by the reference clock some go back";
 }
