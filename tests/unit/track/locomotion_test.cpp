@@ -210,6 +210,38 @@ TEST(LegNames, OfCommonToolsAreFound)
     EXPECT_EQ(left, (std::vector<uint32_t>{2, 3, 1, model::none}));
 }
 
+// Every way to name a side with every word for each part; controls, which no leg has, come first.
+TEST(LegNames, OfEachSideAndPartAreFound)
+{
+    const char *const parts[4][4] = {{"thigh", "UpLeg", "UpperLeg", "legUpper"},
+                                     {"shin", "calf", "LowerLeg", "legLower"},
+                                     {"foot", "ankle", "foot", "ankle"},
+                                     {"toe", "ball", "Toes", "toe"}};
+    const std::pair<const char *, const char *> sides[][2] = {
+        {{"Left", ""}, {"Right", ""}}, {{"", "_left"}, {"", "_right"}}, {{"left ", ""}, {"right ", ""}},
+        {{"", ".L"}, {"", ".R"}},      {{"l_", ""}, {"r_", ""}},        {{"x-L-", ""}, {"x-R-", ""}},
+        {{"", "_l"}, {"", "_r"}},      {{"", "L"}, {"", "R"}}};
+    for (const auto &side : sides)
+        for (int words = 0; words < 4; ++words) {
+            std::vector<std::string> texts;
+            std::vector<std::pair<const char *, int>> nodes = {{"root", -1}};
+            for (int s = 0; s < 2; ++s)
+                for (int part = 0; part < 4; ++part)
+                    texts.push_back(side[s].first + std::string(parts[part][words]) + side[s].second);
+            std::vector<std::string> controls;
+            for (const char *word : {"twist", "ik", "pole", "roll", "control", "ctrl", "target", "end", "helper"})
+                for (const std::string &text : texts) controls.push_back(std::string(word) + "_" + text);
+            for (const std::string &control : controls) nodes.emplace_back(control.c_str(), 0);
+            const int first = static_cast<int>(nodes.size());
+            for (int k = 0; k < 8; ++k) nodes.emplace_back(texts[size_t(k)].c_str(), k % 4 ? first + k - 1 : 0);
+            track::LocomotionClips clips;
+            ASSERT_NO_THROW(track::find_legs(rig_of(nodes), clips)) << texts[0];
+            for (uint32_t s = 0; s < 2; ++s)
+                for (uint32_t part = 0; part < 4; ++part)
+                    EXPECT_EQ(clips.legs[s][part], uint32_t(first) + 4 * s + part) << texts[4 * s + part];
+        }
+}
+
 TEST(LegNames, ThatAreMissingAreNamed)
 {
     try {
