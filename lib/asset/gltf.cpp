@@ -21,9 +21,16 @@ void check_as_format(const model::Model &model)
     }
 }
 
+// VRM 1.0 is another extension, and faces +z as glTF does.
+bool is_vrm_0(const JsonView &root)
+{
+    const JsonView extensions = root["extensions"];
+    return extensions.is_object() && extensions["VRM"].exists() && !extensions["VRMC_vrm"].exists();
+}
+
 }  // namespace
 
-model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options)
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options, double *own_turn_deg)
 {
     if (size == 0) fail(CLQ_FORMAT, "the file is empty");
     Budget budget(options.memory_limit_bytes);
@@ -39,6 +46,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     model.warnings = std::move(file.warnings);
     model.source_bytes = budget.source_bytes();
     check_as_format(model);
+    if (own_turn_deg) *own_turn_deg = is_vrm_0(root) ? 180 : 0;
     return model;
 }
 

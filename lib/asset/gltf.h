@@ -34,6 +34,8 @@ struct LoadOptions {
 //   CLQ_LIMIT        a limit of the options, or more memory than the file's size justifies
 //   CLQ_IO           an external file cannot be read
 // and std::bad_alloc. Model::warnings has one sentence for each thing that is shown differently from the file.
-model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options);
+//   own_turn_deg   the turn about y that the file's format asks for: 180 for VRM 0.x, which faces -z by its
+//                  specification, else 0; may be null
+model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options, double *own_turn_deg = nullptr);
 
 }  // namespace claque::asset

@@ -1,6 +1,10 @@
 #include "lib/track/clip_checks.h"
 
+#include <cmath>
+
 #include "lib/base/error.h"
+#include "lib/math/trig.h"
+#include "lib/model/facing.h"
 
 namespace claque::track
 {
@@ -30,6 +34,47 @@ void check_clips(const model::Template &tmpl, const LocomotionClips &clips)
     if (clips.idle_count > max_idles)
         fail(CLQ_ARGUMENT, "%u clips to stand with: at most %u are possible", clips.idle_count, max_idles);
     for (uint32_t i = 0; i < clips.idle_count; ++i) check("standing clip", clips.idles[i], false);
+}
+
+uint32_t clip_of_step(const LocomotionClips &clips, uint32_t step)
+{
+    if (step > walk_step && clips.run != none) return clips.run;
+    return step <= slow_step && clips.slow != none ? clips.slow : clips.walk;
+}
+
+bool is_of_one_clip(const LocomotionClips &clips, uint32_t step)
+{
+    return step == walk_step || (step + 1 == gait_step_count && clips.run != none) ||
+           (step == slow_step && clips.slow != none);
+}
+
+void check_direction(const model::Template &tmpl, uint32_t clip, double x, double z)
+{
+    const double length = std::sqrt(x * x + z * z);
+    if (!(length > 0.1) || z < -0.5 * length) return;  // up to 60 degrees aside
+    const double goes_deg = math::atan2(-x, -z) * 180 / math::pi;
+    const model::Facing facing = model::facing_of(tmpl.rig);
+    const char *name = clip_name(tmpl.rig, clip), *way = z > 0.5 * length ? "forward" : "sideways";
+    const double turn = model::turn_to_front_deg(goes_deg);
+    if (facing.seen && !facing.is_elsewhere())
+        fail(CLQ_ARGUMENT,
+             "the feet of clip %u ('%s') of template '%s' move %s at stance, and its %s say that it faces +z: the clip "
+             "walks %s; name another one",
+             clip, name, tmpl.name.c_str(), way, facing.seen, z > 0.5 * length ? "backwards" : "aside");
+    fail(CLQ_ARGUMENT,
+         "the feet of clip %u ('%s') of template '%s' move %s at stance: the character faces %s; turn_deg %g (--turn "
+         "%g) turns it",
+         clip, name, tmpl.name.c_str(), way, model::axis_of(goes_deg), turn, turn);
+}
+
+void fail_to_walk(const model::Template &tmpl, const LocomotionClips &clips, uint32_t step)
+{
+    const uint32_t clip = clip_of_step(clips, step);
+    const std::string not_walk =
+        clip == clips.walk ? "" : base::text_of(", not clip %u ('%s'),", clips.walk, clip_name(tmpl.rig, clips.walk));
+    fail(CLQ_ARGUMENT, "no foot of template '%s' moves back over the ground at gait %g: clip %u ('%s')%s does not %s",
+         tmpl.name.c_str(), double(gait_steps[step]), clip, clip_name(tmpl.rig, clip), not_walk.c_str(),
+         step > walk_step && clip != clips.walk ? "run" : "walk");
 }
 
 void check_legs(const model::Template &tmpl, const LocomotionClips &clips)

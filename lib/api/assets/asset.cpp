@@ -5,6 +5,7 @@
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/assets/assets_helpers.h"
+#include "lib/api/assets/placement.h"
 #include "lib/api/boundary.h"
 #include "lib/api/build_id.h"
 #include "lib/api/model_entry.h"
@@ -21,6 +22,7 @@ namespace
 asset::LoadOptions options_of(const clq_asset_options &options)
 {
     asset::LoadOptions out;
+    api::check_placement(options);
     if (options.base_folder) out.base_folder = options.base_folder;
     api::require(options.hidden_nodes || options.hidden_node_count == 0, "hidden_nodes is NULL with a count");
     for (uint32_t i = 0; i < options.hidden_node_count; ++i) {
@@ -33,17 +35,33 @@ asset::LoadOptions options_of(const clq_asset_options &options)
     return out;
 }
 
+// A character of a file.
+struct Loaded {
+    model::Model model;
+    double own_turn_deg = 0;
+};
+
 // Makes the handle of a parsed model and logs the warnings of parsing.
-clq_asset *finish(clq_context *context, model::Model &&model)
+clq_asset *finish(clq_context *context, model::Model &&model, bool placed = false)
 {
     auto made = std::make_unique<clq_asset>(std::move(model));
+    made->placed = placed;
     for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
     return made.release();
 }
 
-model::Model load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)
+clq_asset *finish(clq_context *context, Loaded &&loaded, const clq_asset_options &options)
 {
-    return asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options) : asset::load_gltf(bytes, size, options);
+    const bool placed = api::place(loaded.model, loaded.own_turn_deg, options);
+    return finish(context, std::move(loaded.model), placed);
+}
+
+Loaded load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)
+{
+    Loaded out;
+    out.model = asset::is_bvh(bytes, size) ? asset::load_bvh(bytes, size, options)
+                                           : asset::load_gltf(bytes, size, options, &out.own_turn_deg);
+    return out;
 }
 
 model::Model made_of(const std::vector<figures::Builtin> &figures, const char *what, const char *name)
@@ -73,7 +91,7 @@ clq_status clq_asset_load(clq_context *context, const void *bytes, size_t size_b
     return api::boundary("clq_asset_load", [&] {
         api::require(context && bytes && out, "context, bytes or out is NULL");
         const clq_asset_options wanted = api::read_def(options, clq_asset_options_init, "clq_asset_options_init");
-        *out = finish(context, load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(wanted)));
+        *out = finish(context, load(static_cast<const uint8_t *>(bytes), size_bytes, options_of(wanted)), wanted);
     });
 }
 
@@ -87,11 +105,11 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
         if (wanted.base_folder.empty()) wanted.base_folder = api::folder_of(path);
         const std::vector<uint8_t> bytes = asset::read_file(path, wanted.memory_limit_bytes);
         try {
-            model::Model model = load(bytes.data(), bytes.size(), wanted);
-            if (model.name.empty()) model.name = stem_of(path);
+            Loaded loaded = load(bytes.data(), bytes.size(), wanted);
+            if (loaded.model.name.empty()) loaded.model.name = stem_of(path);
             if (asset::is_bvh(bytes.data(), bytes.size()))
-                for (std::pmr::string &name : model.rig.clip_names) name = stem_of(path).c_str();
-            *out = finish(context, std::move(model));
+                for (std::pmr::string &name : loaded.model.rig.clip_names) name = stem_of(path).c_str();
+            *out = finish(context, std::move(loaded), given);
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s: %s", path, error.what());
         }

@@ -13,10 +13,10 @@
 namespace claque::api
 {
 
-// Before `strict`.
+// Before `strict`, and before `turn_deg`.
 template <>
 struct EarlierSizes<clq_asset_options> {
-    static constexpr uint32_t sizes[] = {offsetof(clq_asset_options, strict)};
+    static constexpr uint32_t sizes[] = {offsetof(clq_asset_options, strict), offsetof(clq_asset_options, turn_deg)};
 };
 
 // Before `dofs`.

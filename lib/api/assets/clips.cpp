@@ -2,6 +2,7 @@
 #include <claque/assets.h>
 
 #include "lib/api/assets/asset_handle.h"
+#include "lib/api/assets/placement.h"
 #include "lib/api/boundary.h"
 #include "lib/model/model_size.h"
 #include "lib/retarget/retarget.h"
@@ -89,7 +90,11 @@ retarget::Report add(clq_asset &asset, const clq_asset &source, const retarget::
     };
     // What was read for the clips was read for the asset.
     const uint64_t bytes = model.source_bytes ? model::source_bytes(source.model) : 0;
-    retarget::Report made = retarget::add_clips(model.rig, source.model.rig, options, prepare);
+    const api::AsInFile own(model.rig, asset.placed);
+    model::Rig copy;
+    if (source.placed) copy = model::Rig(source.model.rig, std::pmr::get_default_resource());
+    const api::AsInFile others(copy, source.placed);
+    retarget::Report made = retarget::add_clips(model.rig, source.placed ? copy : source.model.rig, options, prepare);
     model.root_motions.insert(model.root_motions.end(), motions.begin(), motions.end());
     for (std::string &warning : made.warnings) model.warnings.push_back(std::move(warning));
     model.source_bytes += bytes;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lib/api/assets/asset_handle.h"
+#include "lib/api/assets/placement.h"
 #include "lib/api/boundary.h"
 #include "lib/pose/pose.h"
 #include "lib/skin/skin.h"
@@ -126,16 +127,23 @@ private:
     base::Span<const math::Affine> palette_;
 };
 
-void grow(clq_asset_info &info, const float *xyz, size_t count)
-{
-    for (size_t v = 0; v < count; ++v)
-        for (size_t k = 0; k < 3; ++k) {
-            info.box_min[k] = std::min(info.box_min[k], xyz[3 * v + k]);
-            info.box_max[k] = std::max(info.box_max[k], xyz[3 * v + k]);
-        }
-}
-
 }  // namespace
+
+api::Box api::rest_box(const model::Model &model)
+{
+    Box box;
+    const Evaluator rest(model, model::none, 0);
+    for (const model::Part &part : model.parts) {
+        if (part.hidden) continue;
+        std::vector<float> xyz(3 * part.positions.size());
+        rest.write(part, xyz.data());
+        for (size_t i = 0; i < xyz.size(); ++i) {
+            box.min[i % 3] = std::min(box.min[i % 3], xyz[i]);
+            box.max[i % 3] = std::max(box.max[i % 3], xyz[i]);
+        }
+    }
+    return box;
+}
 
 extern "C" {
 
@@ -176,21 +184,16 @@ clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out)
         info.material_count = static_cast<uint32_t>(model.materials.size());
         info.warning_count = static_cast<uint32_t>(model.warnings.size());
         info.vertex_count = static_cast<uint32_t>(vertex_count(model));
-        for (size_t k = 0; k < 3; ++k) info.box_min[k] = 3.4e38f, info.box_max[k] = -3.4e38f;
-        const Evaluator rest(model, model::none, 0);
         for (const model::Part &part : model.parts) {
             info.hidden_part_count += part.hidden;
             info.morph_target_count += static_cast<uint32_t>(part.morphs.size());
             info.triangle_count += static_cast<uint32_t>(model::triangles_of(part).size());
             for (uint32_t v = 0; v < part.positions.size(); ++v)
                 info.max_influences = std::max(info.max_influences, influences_of(part, v));
-            if (part.hidden) continue;
-            std::vector<float> xyz(3 * part.positions.size());
-            rest.write(part, xyz.data());
-            grow(info, xyz.data(), part.positions.size());
         }
-        if (info.box_min[0] > info.box_max[0])
-            for (size_t k = 0; k < 3; ++k) info.box_min[k] = info.box_max[k] = 0;
+        const api::Box box = api::rest_box(model);
+        for (size_t k = 0; k < 3 && box.min[0] <= box.max[0]; ++k)
+            info.box_min[k] = box.min[k], info.box_max[k] = box.max[k];
         api::write_out(out, info);
     });
 }

@@ -1,0 +1,127 @@
+#include "lib/model/facing.h"
+
+#include <cmath>
+#include <vector>
+
+#include "lib/math/trig.h"
+#include "lib/model/limb_names.h"
+
+namespace claque::model
+{
+
+namespace
+{
+
+// Over the ground.
+struct Way {
+    double x = 0, z = 0;
+
+    double length() const { return std::sqrt(x * x + z * z); }
+    double heading_deg() const { return math::atan2(x, z) * 180 / math::pi; }
+};
+
+class Body
+{
+public:
+    explicit Body(const Rig &rig) : rig_(rig)
+    {
+        for (uint32_t i = 0; i < rig.node_count(); ++i) {
+            const math::Affine local = math::affine_of(rig.rest[i]);
+            globals_.push_back(rig.parents[i] == none ? local : math::mul(globals_[rig.parents[i]], local));
+        }
+        find_limbs(rig, legs_);
+    }
+
+    bool stands() const
+    {
+        for (const auto &leg : legs_) {
+            if (leg[0] == none || leg[2] == none) return false;
+            const glm::dvec3 d = place(leg[0]) - place(leg[2]);
+            if (!(d.y > 0.5 * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z))) return false;
+        }
+        return true;
+    }
+
+    // Both feet, if they agree.
+    bool by_toes(Way &out) const
+    {
+        for (const auto &leg : legs_) {
+            if (leg[3] == none) return false;
+            const Way foot = way(leg[2], leg[3]);
+            if (!(foot.length() > 0)) return false;
+            out.x += foot.x / foot.length(), out.z += foot.z / foot.length();
+        }
+        return out.length() > 1.2;  // feet turned outwards by 53 degrees each
+    }
+
+    // The middle of two eyes, as seen from the head.
+    bool by_eyes(Way &out) const
+    {
+        bool found[2] = {false, false};
+        for (uint32_t i = 0; i < rig_.node_count(); ++i) {
+            const std::pmr::string plain = plain_name(rig_.node_names[i], rig_.parents.get_allocator().resource());
+            const Side side = side_of(rig_.node_names[i], plain);
+            if (!has(plain, "eye") || has(plain, "brow") || has(plain, "lid") || has(plain, "lash")) continue;
+            const uint32_t head = head_above(i);
+            if (side == Side::unknown || head == none || found[side == Side::right] || is_control(plain)) continue;
+            const Way eye = way(head, i);
+            out.x += eye.x, out.z += eye.z;
+            found[side == Side::right] = true;
+        }
+        const glm::dvec3 leg = place(legs_[0][0]) - place(legs_[0][2]);
+        return found[0] && found[1] && out.length() > 0.05 * leg.y;  // a head's joint may lie between the eyes
+    }
+
+    bool by_legs(Way &out) const
+    {
+        const Way left = way(legs_[1][0], legs_[0][0]);
+        out = {-left.z, left.x};
+        return out.length() > 0;
+    }
+
+private:
+    glm::dvec3 place(uint32_t node) const { return glm::dvec3(globals_[node].column(3)); }
+    Way way(uint32_t from, uint32_t to) const
+    {
+        const glm::dvec3 d = place(to) - place(from);
+        return {d.x, d.z};
+    }
+    uint32_t head_above(uint32_t node) const
+    {
+        for (node = rig_.parents[node]; node != none; node = rig_.parents[node])
+            if (has(plain_name(rig_.node_names[node], rig_.parents.get_allocator().resource()), "head")) break;
+        return node;
+    }
+
+    const Rig &rig_;
+    std::vector<math::Affine> globals_;
+    uint32_t legs_[2][4] = {};
+};
+
+}  // namespace
+
+Facing facing_of(const Rig &rig)
+{
+    const Body body(rig);
+    if (!body.stands()) return {};
+    Way toes, eyes, legs;
+    if (body.by_toes(toes)) return {"toes", toes.heading_deg()};
+    if (body.by_eyes(eyes)) return {"eyes", eyes.heading_deg()};
+    if (body.by_legs(legs)) return {"legs", legs.heading_deg()};
+    return {};
+}
+
+const char *axis_of(double heading_deg)
+{
+    constexpr const char *axes[] = {"-z", "-x", "+z", "+x", "-z"};
+    return axes[static_cast<int>(std::floor((heading_deg + 225) / 90))];
+}
+
+double turn_to_front_deg(double heading_deg)
+{
+    const double quarters = 90 * std::floor(heading_deg / 90 + 0.5);
+    const double turn = -(std::fabs(heading_deg - quarters) <= 30 ? quarters : std::floor(heading_deg + 0.5));
+    return turn <= -180 ? turn + 360 : turn;
+}
+
+}  // namespace claque::model
