@@ -112,7 +112,7 @@ void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tr
     if (!is_of_readers(a)) refuse_law_options(command);
     if (has_no_scene(a)) return;
     read_scenario(a.setup);
-    if (walks) tracks.file = a.subject, a.setup.described = scenario_of(tracks);
+    if (walks) tracks.file = a.subject, a.setup.described = scenario_of(tracks, a.setup.of_file.placement);
     else a.setup.file = a.subject;
     for (const scenes::SceneEntry &entry : scenes::scene_entries())
         if (a.subject == entry.name) {
@@ -229,7 +229,7 @@ void add_bench(CLI::App &app, Work &chosen)
     add_law_options(*c, *a);
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
-    add_hide_option(*c, a->setup);
+    add_file_options(*c, a->setup.of_file);
     add_scene_options(*c, a->setup);
     CLI::Option *json = c->add_flag("--json", a->json, "Print JSON instead of a table (claque plot draws it)");
     c->add_flag("--markdown", a->markdown, "Along a path, or for shared key-poses: print a Markdown table")

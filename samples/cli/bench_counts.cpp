@@ -105,7 +105,7 @@ Json bench_by_count(const BenchArguments &a)
     Progress progress("claque bench");
     scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
-    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.hidden);
+    if (!a.setup.file.empty()) loaded = load_character(library, a.setup.file, a.setup.of_file);
     Json report = {{"claque", version()}};
     report["runs"] = Json::array();
     const size_t all = a.counts.size() * a.caches.size() * a.strategies.size();

@@ -75,7 +75,7 @@ Json bench_shadows(const BenchArguments &a)
     LoadedCharacter loaded;
     if (!a.setup.file.empty()) {
         const scenes::Lod levels = a.lods.front() == "on" ? scenes::Lod::on : scenes::Lod::off;
-        loaded = load_character(library, a.setup.file, a.setup.hidden, {}, levels);
+        loaded = load_character(library, a.setup.file, a.setup.of_file, {}, levels);
     }
     Json report = {{"claque", version()}, {"threads", thread_count(a.setup)}, {"frames", a.frames}};
     report["time"] = "processor time of all threads";

@@ -23,6 +23,7 @@ constexpr int row_gap_px = 2, row_label_px = (letter_height + 4) * 2;
 
 struct BlendArguments {
     std::string file, out;
+    FileArguments of_file;
     ClipArguments clips;
     BlendOptions options;
     int width = 1600, height = 1500;
@@ -87,7 +88,7 @@ void blend(const BlendArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const LoadedCharacter loaded = load_character(library, a.file, {}, a.clips);
+    const LoadedCharacter loaded = load_character(library, a.file, a.of_file, a.clips);
     clq_template *tmpl = loaded.tmpl.get();
     const std::vector<BlendRow> rows = blend_rows(tmpl, a.options);
     Board board(a.width, a.height, paper);
@@ -132,6 +133,7 @@ void add_blend(CLI::App &app, Work &chosen)
         ->expected(2)
         ->type_name("A,B");
     c->add_option("--phases", a->options.phases, "Pictures in a row")->check(CLI::Range(2, 100))->capture_default_str();
+    add_placement_options(*c, a->of_file.placement);
     add_clip_options(*c, a->clips);
     add_size_option(*c, a->width, a->height);
     c->callback([a, &chosen] { chosen = [a] { blend(*a); }; });

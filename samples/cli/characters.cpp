@@ -60,9 +60,11 @@ bool is_builtin(const std::string &path)
     return path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0;
 }
 
-clq_asset_options options_of(const std::vector<const char *> &hidden, const ClipArguments &clips)
+clq_asset_options options_of(const std::vector<const char *> &hidden, const FileArguments &of_file,
+                             const ClipArguments &clips)
 {
     clq_asset_options options = clq_asset_options_init();
+    of_file.placement.give(options);
     options.hidden_nodes = hidden.data();
     options.bvh_metres_per_unit = clips.unit_m;
     options.hidden_node_count = static_cast<uint32_t>(hidden.size());
@@ -77,14 +79,14 @@ std::vector<const char *> pointers(const std::vector<std::string> &names)
 }
 
 // The template in levels of detail; NULL if the character has levels of its own or too much for any.
-clq_template *in_levels(scenes::Library &library, const std::string &path, const std::vector<std::string> &hidden,
+clq_template *in_levels(scenes::Library &library, const std::string &path, const FileArguments &of_file,
                         const ClipArguments &clips)
 {
     clq_template *made = nullptr;
     clq_status status = CLQ_OK;
     if (clips.files.empty()) {
-        const std::vector<const char *> names = pointers(hidden);
-        const clq_asset_options options = options_of(names, clips);
+        const std::vector<const char *> names = pointers(of_file.hidden);
+        const clq_asset_options options = options_of(names, of_file, clips);
         const clq_levels_def levels = clq_levels_def_init();
         clq_prepare_def def = clq_prepare_def_init();
         def.levels = &levels;
@@ -93,7 +95,7 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
         status = clq_template_prepare(library.context(), &def, &made, nullptr);
     } else {
         // An asset of its own: levels are parts, and the box of the character is that of the finest.
-        const scenes::Own<clq_asset> asset = load_asset(library, path, hidden, clips);
+        const scenes::Own<clq_asset> asset = load_asset(library, path, of_file, clips);
         status = clq_asset_make_levels(library.context(), asset.get(), nullptr, nullptr);
         if (status == CLQ_OK) status = clq_asset_build(library.context(), asset.get(), 0, &made);
     }
@@ -105,17 +107,17 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
 }
 
 scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedCharacter &loaded, const std::string &path,
-                                      const std::vector<std::string> &hidden, const ClipArguments &clips,
-                                      scenes::Lod levels)
+                                      const FileArguments &of_file, const ClipArguments &clips, scenes::Lod levels)
 {
     clq_template *made = nullptr;
     if (is_prepared(path)) {
+        expect_unplaced(of_file, path + " is prepared already, with claque prepare");
         if (!clips.files.empty() || clips.vary > 0)
             throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
         const std::vector<unsigned char> bytes = read_file(path);
         check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
     } else {
-        if (levels == scenes::Lod::on) made = in_levels(library, path, hidden, clips);
+        if (levels == scenes::Lod::on) made = in_levels(library, path, of_file, clips);
         if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
     }
     return scenes::Own<clq_template>(made);
@@ -147,12 +149,12 @@ bool is_other_format(const std::string &path)
     return others.count(io::ending_of(path)) != 0 || path.find(".mesh.xml") != std::string::npos;
 }
 
-scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
-                                  const std::vector<std::string> &hidden, const ClipArguments &clips,
-                                  uint32_t *first_clip)
+scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path, const FileArguments &of_file,
+                                  const ClipArguments &clips, uint32_t *first_clip)
 {
     clq_asset *made = nullptr;
     if (is_builtin(path)) {
+        expect_unplaced(of_file, path + " is built in");
         if (clips.vary > 0) check(clq_asset_builtin_varied(library.context(), path.c_str(), clips.vary, &made));
         else check(clq_asset_builtin(library.context(), path.c_str(), &made));
     } else {
@@ -160,8 +162,8 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
             throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
         if (is_other_format(path))
             throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
-        const std::vector<const char *> names = pointers(hidden);
-        const clq_asset_options options = options_of(names, clips);
+        const std::vector<const char *> names = pointers(of_file.hidden);
+        const clq_asset_options options = options_of(names, of_file, clips);
         check(clq_asset_load_file(library.context(), path.c_str(), &options, &made));
     }
     scenes::Own<clq_asset> asset(made);
@@ -170,14 +172,14 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
     return asset;
 }
 
-LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden, const ClipArguments &clips, scenes::Lod levels)
+LoadedCharacter load_character(scenes::Library &library, const std::string &path, const FileArguments &of_file,
+                               const ClipArguments &clips, scenes::Lod levels)
 {
     LoadedCharacter loaded;
-    if (!is_prepared(path)) loaded.asset = load_asset(library, path, hidden, clips, &loaded.first_clip);
+    if (!is_prepared(path)) loaded.asset = load_asset(library, path, of_file, clips, &loaded.first_clip);
     if (loaded.asset && info_of(loaded.asset.get()).vertex_count == 0 && info_of(loaded.asset.get()).clip_count > 0)
         throw scenes::Failure(path + " has clips and nothing to draw: --clips " + path + " adds them to a character");
-    loaded.tmpl = library.shared([&] { return template_of(library, loaded, path, hidden, clips, levels); });
+    loaded.tmpl = library.shared([&] { return template_of(library, loaded, path, of_file, clips, levels); });
     return loaded;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "samples/cli/clip_arguments.h"
+#include "samples/cli/file_arguments.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene.h"
@@ -24,14 +25,12 @@ bool is_prepared(const std::string &path);
 bool is_other_format(const std::string &path);
 
 // Both throw Failure with the path in the message. `first_clip`: the first to show, see add_clips.
-scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path,
-                                  const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
-                                  uint32_t *first_clip = nullptr);
+scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path, const FileArguments &of_file = {},
+                                  const ClipArguments &clips = {}, uint32_t *first_clip = nullptr);
 // Levels of detail are made where `levels` says so and the character has none of its own; without added clips they come
 // from the cache folder the next time.
-LoadedCharacter load_character(scenes::Library &library, const std::string &path,
-                               const std::vector<std::string> &hidden = {}, const ClipArguments &clips = {},
-                               scenes::Lod levels = scenes::Lod::off);
+LoadedCharacter load_character(scenes::Library &library, const std::string &path, const FileArguments &of_file = {},
+                               const ClipArguments &clips = {}, scenes::Lod levels = scenes::Lod::off);
 
 clq_asset_info info_of(const clq_asset *asset);
 clq_template_info info_of(const clq_template *tmpl);

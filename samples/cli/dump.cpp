@@ -14,6 +14,7 @@ namespace
 
 struct DumpArguments {
     std::string file, clip, out;
+    FileArguments of_file;
     ClipArguments clips;
     double time_s = 0;
 };
@@ -42,7 +43,7 @@ void dump(const DumpArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(1);
-    const scenes::Own<clq_asset> asset = load_asset(library, a.file, {}, a.clips);
+    const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
     const uint32_t clip = find_clip(asset.get(), a);
     std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
     scenes::check(clq_asset_get_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()),
@@ -62,6 +63,7 @@ void add_dump(CLI::App &app, Work &chosen)
         "children in listed order, primitives in order, vertices as in the file; float32 (n, 3), NumPy's .npy 1.0");
     c->add_option("FILE", a->file, "glTF or GLB, or the name of a built-in character (citizen, patrician ...)")
         ->required();
+    add_placement_options(*c, a->of_file.placement);
     add_clip_options(*c, a->clips);
     CLI::Option *clip = c->add_option("--clip", a->clip,
                                       "Name or number of a clip; without it the rest pose and default morph weights");

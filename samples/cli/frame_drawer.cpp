@@ -20,7 +20,7 @@ const Subject &FrameDrawer::subject()
     if (scene_renderer_) return subject_;
     const RenderArguments &a = arguments_;
     if (!a.setup.file.empty())
-        loaded_ = load_character(library_, a.setup.file, a.setup.hidden, a.clips, levels_of_file(a.setup));
+        loaded_ = load_character(library_, a.setup.file, a.setup.of_file, a.clips, levels_of_file(a.setup));
     options_ = scene_options(a.setup, loaded_);
     options_.crowd_options.as_shown = true;
     scene_renderer_.emplace(library_, options_);

@@ -193,7 +193,7 @@ void print_text(const Json &report)
 
 struct InspectArguments {
     std::string file;
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     ClipArguments clips;
     bool json = false;
 };
@@ -204,7 +204,7 @@ void inspect(const InspectArguments &a)
     Json report = {{"file", a.file}};
     if (is_prepared(a.file)) report["split"] = template_json(load_character(library, a.file).tmpl.get());
     else {
-        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden, a.clips);
+        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
         report["loaded"] = asset_json(asset.get());
         clq_template *made = nullptr;
         if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
@@ -224,9 +224,7 @@ void add_inspect(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->file,
                   "glTF, GLB, BVH, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
-        ->expected(1)
-        ->take_all();
+    add_file_options(*c, a->of_file);
     add_clip_options(*c, a->clips);
     c->add_flag("--json", a->json, "Print JSON");
     c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });

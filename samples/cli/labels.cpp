@@ -31,7 +31,7 @@ void choose_subject(const CLI::App &command, const std::string &subject, LabelAr
                         : subject + " is no scene, and no file of that name exists; scenes are " + list_of_scenes());
     if (!walks) refuse_track_options(command);
     read_scenario(a.setup);
-    if (walks) a.tracks.file = subject, a.setup.described = scenario_of(a.tracks);
+    if (walks) a.tracks.file = subject, a.setup.described = scenario_of(a.tracks, a.setup.of_file.placement);
     check_scene_usage(a.setup);
 }
 
@@ -56,6 +56,7 @@ void add_labels(CLI::App &app, Work &chosen)
     add_scene_options(*c, a->setup);
     add_reading_options(*c, a->tracks);
     add_walking_options(*c, a->tracks);
+    add_placement_options(*c, a->setup.of_file.placement);
     c->add_option("--lod", a->setup.lod, "People with levels of detail (on) or without (off)")
         ->check(CLI::IsMember({"off", "on", "finest"}))
         ->capture_default_str();

@@ -25,7 +25,7 @@ constexpr int column_gap_px = 4, line_px = (letter_height + 4);
 
 struct LodsArguments {
     std::string file, out;
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     std::vector<uint32_t> targets;
     uint32_t proxy_max_triangles = 250;
     double tolerance_px = 1;
@@ -97,7 +97,7 @@ void compare(const LodsArguments &a, scenes::Library &library)
 {
     LevelsComparison comparison;
     const auto make = [&](const LodsArguments &how, bool quadric_only, double &took_s) {
-        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden);
+        const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file);
         const Stopwatch watch;
         Levels levels = make_levels(library, asset.get(), how, quadric_only);
         took_s = watch.ms() / 1000;
@@ -121,7 +121,7 @@ void show(const LodsArguments &a)
         throw scenes::Failure(a.file + " is prepared already; levels are made earlier, from its source");
     if (a.compare) return compare(a, library);
     LoadedCharacter loaded;
-    loaded.asset = load_asset(library, a.file, a.hidden);
+    loaded.asset = load_asset(library, a.file, a.of_file);
     const Levels levels = make_levels(library, loaded.asset.get(), a);
     if (a.json) std::cout << json_of(levels).dump(2) << '\n';
     else print(levels), print(levels, zone_areas(loaded.asset.get(), levels));
@@ -148,9 +148,7 @@ void add_lods(CLI::App &app, Work &chosen)
     c->add_option("--tolerance", a->tolerance_px, "Error in pixels that a level may have where it begins")
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
-        ->expected(1)
-        ->take_all();
+    add_file_options(*c, a->of_file);
     c->add_flag("--compare", a->compare, "Compare with levels made by OpenMesh's quadric alone: errors, zones, cracks")
         ->excludes("--picture");
     c->add_flag("--json", a->json, "Print JSON");

@@ -47,7 +47,7 @@ void write(const ParityArguments &a, Writer writer)
     scenes::Library library(thread_count(a.setup));
     LoadedCharacter loaded;
     if (!a.setup.file.empty())
-        loaded = load_character(library, a.setup.file, a.setup.hidden, a.clips,
+        loaded = load_character(library, a.setup.file, a.setup.of_file, a.clips,
                                 a.setup.lod == "off" ? scenes::Lod::off : scenes::Lod::on);
     const scenes::SceneOptions options = scene_options(a.setup, loaded);
     scenes::SceneRenderer scene_renderer(library, options);
@@ -80,7 +80,7 @@ void add_writer(CLI::App &parity, Work &chosen, const char *name, const char *ab
         ->check(CLI::Range(1, 1000000));
     a->setup.flat_triangles = 0;  // lit smoothly, as in other renderers
     a->setup.lod = "off";         // which have no levels to compare
-    add_hide_option(*c, a->setup);
+    add_file_options(*c, a->setup.of_file);
     add_scene_options(*c, a->setup);
     add_clip_options(*c, a->clips);
     c->add_option("--lod", a->setup.lod,

@@ -74,13 +74,13 @@ void take_scenario(SceneArguments &setup, bool is_record)
 }
 
 // Of the scene that the options name, with its record.
-auto scene_maker(const TrackArguments &tracks, const std::shared_ptr<const scenes::Scenario> &scenario,
+auto scene_maker(const TrackArguments &tracks, const SceneArguments &setup,
                  const std::shared_ptr<std::unique_ptr<RunRecord>> &record)
 {
-    const scenes::walkers::Options options = walkers_of(tracks);
-    const scenes::walkers::ReplayOptions replay = {tracks.file, names_in(tracks.characters), options.follow};
-    return [options, replay, record, path = tracks.record, scenario](scenes::Library &library,
-                                                                     const scenes::CrowdOptions &crowd_options) {
+    const scenes::walkers::Options options = walkers_of(tracks, setup.of_file.placement);
+    const scenes::walkers::ReplayOptions replay = {tracks.file, options.characters, options.follow};
+    return [options, replay, record, path = tracks.record, scenario = setup.described](
+               scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
         if (scenes::walkers::is_record(replay.file)) return make_replay(library, crowd_options, replay, scenario.get());
         Progress progress("claque");
         scenes::walkers::Options with_progress = options;
@@ -115,6 +115,7 @@ void add_play(CLI::App &app, Work &chosen)
         ->required();
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
+    add_placement_options(*c, a->setup.of_file.placement);
     add_picture_options(*c, a);
     c->remove_option(c->get_option("--camera"));
     c->add_option("--camera", tracks->camera,
@@ -145,7 +146,7 @@ void add_play(CLI::App &app, Work &chosen)
         if (!tracks->record.empty() && process_count(a->processes) > 1)
             throw CLI::ValidationError("--record", "needs one process, which sees all of the crowd's calls");
         const auto record = std::make_shared<std::unique_ptr<RunRecord>>();
-        a->setup.make = scene_maker(*tracks, a->setup.described, record);
+        a->setup.make = scene_maker(*tracks, a->setup, record);
         a->drawn = [record] {
             if (*record) (void)(*record)->end();
         };

@@ -15,7 +15,7 @@ namespace
 struct PrepareArguments {
     std::string file, out;
     uint32_t texture_px = 0;
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     ClipArguments clips;
     ZoneArguments zones;
 };
@@ -25,7 +25,7 @@ void prepare(const PrepareArguments &a)
     expect_writable(a.out);
     scenes::Library library(core_count());
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
-    const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.hidden, a.clips);
+    const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
     give_zones(library, asset.get(), a.zones);
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), asset.get(), a.texture_px, &made), a.file);
@@ -47,9 +47,7 @@ void add_prepare(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand("prepare", "Read and split a character once; render takes the result as FILE");
     c->add_option("FILE", a->file, "glTF or GLB, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
-        ->expected(1)
-        ->take_all();
+    add_file_options(*c, a->of_file);
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
     c->add_option(

@@ -174,7 +174,7 @@ void add_render(CLI::App &app, Work &chosen)
     add_scenario_option(*c, a->setup)->excludes(file)->excludes(c->get_option("--scene"));
     c->add_option("--count", a->setup.count, "Individuals (default 12 of a FILE, else the scene's own number)")
         ->check(CLI::Range(1, 1000000));
-    add_hide_option(*c, a->setup);
+    add_file_options(*c, a->setup.of_file);
     add_picture_options(*c, a);
     for (const char *of_sequences : {"--stride", "--fps", "--again", "--chunk", "--manifest"})
         c->get_option(of_sequences)->needs("--frames");

@@ -32,7 +32,11 @@ void expect_subject(const std::string &scene, const SceneArguments &a)
 void read_scenario(SceneArguments &a)
 {
     if (a.scenario.empty()) return;
-    a.described = std::make_shared<const scenes::Scenario>(scenes::load_scenario(a.scenario, a.mechanisms));
+    auto described = std::make_shared<scenes::Scenario>(scenes::load_scenario(a.scenario, a.mechanisms));
+    // For characters of files whose class does not say it.
+    for (scenes::SocialClass &one : described->characters)
+        if (scenes::is_file(one.character) && !one.placement.any()) one.placement = a.of_file.placement;
+    a.described = described;
 }
 
 bool is_theatre(const SceneArguments &a) { return a.described ? a.described->theatre.has_value() : a.scene == "odeon"; }

@@ -16,7 +16,9 @@ Json file_about(const std::string &path)
 Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
 {
     Json scene;
-    scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.hidden;
+    scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.of_file.hidden;
+    const scenes::Placement &placed = s.of_file.placement;
+    if (placed.any()) scene["placement"] = {placed.turn_deg, placed.height_m, placed.scale};
     scene["scenario"] = file_about(s.scenario), scene["path"] = file_about(s.path);
     if (s.described && !s.described->files.empty()) {
         scene["scenario_files"] = Json::array();

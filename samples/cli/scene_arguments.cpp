@@ -7,14 +7,6 @@
 
 namespace cli
 {
-void add_hide_option(CLI::App &command, SceneArguments &a)
-{
-    command
-        .add_option("--hide", a.hidden, "Leave out the node of this name and its descendants (FILE only; may repeat)")
-        ->expected(1)
-        ->take_all();
-}
-
 void add_scene_options(CLI::App &command, SceneArguments &a)
 {
     add_size_option(command, a.width, a.height);

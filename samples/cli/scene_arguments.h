@@ -22,7 +22,7 @@ using MakeScene = std::function<std::unique_ptr<scenes::Scene>(scenes::Library &
 
 struct SceneArguments {
     std::string file, scene;  // one or neither
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     std::string path, scenario;                         // files
     std::string mechanisms;                             // the folder of --allow-mechanisms; empty: not given
     std::shared_ptr<const scenes::Scenario> described;  // the scenario, once it is read
@@ -58,9 +58,6 @@ inline scenes::Lod levels_of_file(const SceneArguments &a)
 {
     return a.file_without_levels ? scenes::Lod::off : scenes::Lod::on;
 }
-
-// --hide, for subcommands that take a character's file.
-void add_hide_option(CLI::App &command, SceneArguments &arguments);
 
 // --allow-mechanisms, for subcommands that read a scenario without the options below.
 CLI::Option *add_mechanisms_option(CLI::App &command, std::string &folder);

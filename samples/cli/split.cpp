@@ -15,7 +15,7 @@ namespace
 
 struct SplitArguments {
     std::string file, picture;
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     uint32_t texture = 0, scale = 2;
 };
 
@@ -36,7 +36,7 @@ void split(const SplitArguments &a)
 {
     if (!a.picture.empty()) expect_writable(a.picture);
     scenes::Library library(core_count());
-    const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
+    const LoadedCharacter loaded = load_character(library, a.file, a.of_file);
     const clq_template_info info = info_of(loaded.tmpl.get());
     if (!a.picture.empty()) write_picture(loaded.tmpl.get(), a);
     if (a.picture == "-") return;
@@ -64,9 +64,6 @@ void add_split(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->file,
                   "glTF, GLB, prepared .clq, or the name of a built-in character (citizen, patrician ...)")
         ->required();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
-        ->expected(1)
-        ->take_all();
     CLI::Option *picture =
         c->add_option("--picture", a->picture, "PNG of the triangles over the zones, with dirty ones marked");
     c->add_option("--texture", a->texture, "Index of the texture to draw")->capture_default_str()->needs(picture);
@@ -74,6 +71,7 @@ void add_split(CLI::App &app, Work &chosen)
         ->check(CLI::Range(1, 16))
         ->capture_default_str()
         ->needs(picture);
+    add_file_options(*c, a->of_file);
     c->callback([a, &chosen] { chosen = [a] { split(*a); }; });
 }
 

@@ -45,6 +45,20 @@ void add_reading_options(CLI::App &command, TrackArguments &a)
     command.add_flag("--vehicles", a.vehicles, "SUMO: vehicles too, and people that ride in one");
 }
 
+void add_limb_options(CLI::App &command, TrackArguments &a)
+{
+    command
+        .add_option(
+            "--legs", a.legs,
+            "Nodes of the characters of files that walk, with commas: thigh, shin and foot of the left leg, then "
+            "of the right; or thigh, shin, foot and toes (default: found by their names)")
+        ->type_name("NAMES");
+    for (const auto &[option, name] :
+         {std::pair("--torso", &a.limbs.torso), {"--neck", &a.limbs.neck}, {"--head", &a.limbs.head}})
+        command.add_option(option, *name, "Node of these characters that turns with what they look at")
+            ->type_name("NAME");
+}
+
 void add_walking_options(CLI::App &command, TrackArguments &a)
 {
     command
@@ -52,6 +66,7 @@ void add_walking_options(CLI::App &command, TrackArguments &a)
                     "Who walks: built-in people and glTF files with clips named walk, run and idle, with commas "
                     "(default citizen,patrician,plebeian,decurion)")
         ->type_name("NAMES");
+    add_limb_options(command, a);
     command.add_option("--ground", a.area, "The walkable area: WKT, JuPedSim, Menge or Vadere (docs/trajectories.md)")
         ->type_name("FILE");
 }
@@ -71,8 +86,8 @@ clq_trajectories_def reading_of(const TrackArguments &a)
 
 void refuse_track_options(const CLI::App &command)
 {
-    for (const char *name :
-         {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters", "--ground"})
+    for (const char *name : {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters",
+                             "--ground", "--legs", "--torso", "--neck", "--head"})
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
@@ -85,14 +100,20 @@ std::vector<std::string> names_in(const std::string &list)
     return names;
 }
 
-scenes::walkers::Options walkers_of(const TrackArguments &a)
+scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Placement &placed)
 {
     scenes::walkers::Options options;
     options.file = a.file;
     options.reading = reading_of(a);
     options.columns = a.columns;
-    for (const std::string &name : names_in(a.characters))
-        options.characters.push_back(scenes::walkers::class_of(name));
+    for (const std::string &name : names_in(a.characters)) {
+        scenes::SocialClass one = scenes::walkers::class_of(name);
+        if (scenes::is_file(name)) {
+            one.placement = placed, one.limbs = a.limbs;
+            one.limbs.legs = names_in(a.legs);
+        }
+        options.characters.push_back(one);
+    }
     options.area = a.area;
     options.follow = followed_by(a.camera);
     return options;
@@ -107,9 +128,9 @@ bool names_trajectories(const std::string &subject)
     return ending != ".gltf" && ending != ".glb" && ending != ".clq" && !is_other_format(subject);
 }
 
-std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a)
+std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a, const scenes::Placement &placed)
 {
-    const scenes::walkers::Options options = walkers_of(a);
+    const scenes::walkers::Options options = walkers_of(a, placed);
     auto out = std::make_shared<scenes::Scenario>();
     out->name = std::filesystem::path(a.file).filename().string();
     out->tracks.emplace();
@@ -126,13 +147,17 @@ std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a)
 
 Json tracks_about(const TrackArguments &a)
 {
-    return {{"columns", a.columns},
-            {"rate_hz", a.rate_hz},
-            {"unit", a.unit},
-            {"up", a.up},
-            {"max_speed_m_s", a.max_speed_m_s},
-            {"vehicles", a.vehicles},
-            {"characters", a.characters}};
+    Json about = {{"columns", a.columns},
+                  {"rate_hz", a.rate_hz},
+                  {"unit", a.unit},
+                  {"up", a.up},
+                  {"max_speed_m_s", a.max_speed_m_s},
+                  {"vehicles", a.vehicles},
+                  {"characters", a.characters}};
+    if (!a.legs.empty()) about["legs"] = a.legs;
+    for (const std::string &name : {a.limbs.torso, a.limbs.neck, a.limbs.head})
+        if (!name.empty()) about["limbs"].push_back(name);
+    return about;
 }
 
 }  // namespace cli

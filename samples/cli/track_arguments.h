@@ -9,13 +9,17 @@ namespace cli
 
 struct TrackArguments {
     std::string file, columns, unit, up, picture, area, characters, camera, record;
+    std::string legs;            // names with commas
+    scenes::WalkingNodes limbs;  // but for the legs
     double rate_hz = 0, max_speed_m_s = 12;
     bool vehicles = false;
 };
 
 // --columns, --rate, --unit, --up, --max-speed, --vehicles: how a file is read.
 void add_reading_options(CLI::App &command, TrackArguments &arguments);
-// --characters, --ground: the characters that walk, and the ground below them.
+// --legs, --torso, --neck, --head: nodes of the characters of files.
+void add_limb_options(CLI::App &command, TrackArguments &arguments);
+// These, --characters and --ground: the characters that walk, and the ground below them.
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 // Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.
 void refuse_track_options(const CLI::App &command);
@@ -23,12 +27,13 @@ void refuse_track_options(const CLI::App &command);
 // `columns` must live as long as the result.
 std::vector<std::string> names_in(const std::string &list);  // separated by commas
 clq_trajectories_def reading_of(const TrackArguments &arguments);
-scenes::walkers::Options walkers_of(const TrackArguments &arguments);
+// `placed`: how characters of files are.
+scenes::walkers::Options walkers_of(const TrackArguments &arguments, const scenes::Placement &placed);
 
 // Whether a command's subject is a file of trajectories, not a scene or a character.
 bool names_trajectories(const std::string &subject);
 // A scenario of the people in the file alone.
-std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &arguments);
+std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &arguments, const scenes::Placement &placed);
 // How the file is read and what walks, for manifests.
 Json tracks_about(const TrackArguments &arguments);
 

@@ -120,6 +120,7 @@ Json json_of(const TracksReport &r)
 
 struct Arguments {
     TrackArguments tracks;
+    scenes::Placement placed;
     std::string plot, json;
     uint64_t seed = 1;
 };
@@ -130,7 +131,7 @@ void run(const Arguments &a)
     if (!a.plot.empty()) expect_writable(a.plot);
     if (!a.json.empty()) expect_writable(a.json);
     scenes::Library library(1);
-    const scenes::walkers::Options options = walkers_of(a.tracks);
+    const scenes::walkers::Options options = walkers_of(a.tracks, a.placed);
     Tracks tracks;
     progress.phase("reading");
     tracks.trajectories = scenes::walkers::load(library, options);
@@ -157,6 +158,8 @@ void add_tracks(CLI::App &app, Work &chosen)
     c->add_option("FILE", a->tracks.file, "Trajectories: docs/trajectories.md lists the formats")->required();
     add_reading_options(*c, a->tracks);
     c->add_option("--characters", a->tracks.characters, "Who walks (default citizen)")->type_name("NAMES");
+    add_limb_options(*c, a->tracks);
+    add_placement_options(*c, a->placed);
     c->add_option("--seed", a->seed, "Seed of sizes and idle clips")->capture_default_str();
     c->add_option("--plot", a->plot, "Write the plan as SVG or PNG; - is standard output")->check(chart_file);
     c->add_option("--json", a->json, "Write the report as JSON; - is standard output");

@@ -22,7 +22,7 @@ constexpr int person_gap_px = 2;
 
 struct VarietyArguments {
     std::string file, out, colours, colour_class;
-    std::vector<std::string> hidden;
+    FileArguments of_file;
     uint32_t count = 12, texture = 0, set = 0;
     uint64_t seed = 1;
     int width = 1280, height = 800;
@@ -189,7 +189,7 @@ void draw_variety(const VarietyArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(core_count());
-    const LoadedCharacter loaded = load_character(library, a.file, a.hidden);
+    const LoadedCharacter loaded = load_character(library, a.file, a.of_file);
     const clq_template *tmpl = loaded.tmpl.get();
     const Worn worn = worn_by(library, tmpl, a);
     const VarietySheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
@@ -239,9 +239,7 @@ void add_variety(CLI::App &app, Work &chosen)
     c->add_option("--texture", a->texture, "Index of the texture to show")->capture_default_str();
     c->add_option("--texture-set", a->set, "Index of the texture set; people pick theirs at random")
         ->capture_default_str();
-    c->add_option("--hide", a->hidden, "Leave out the node of this name and its descendants (may repeat)")
-        ->expected(1)
-        ->take_all();
+    add_file_options(*c, a->of_file);
     c->callback([a, &chosen] { chosen = [a] { draw_variety(*a); }; });
 }
 

@@ -79,7 +79,6 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     add_mechanisms_option(c, a->what.setup.mechanisms);
     c.add_option("--count", a->what.setup.count, "Number of people (default: the scene's own)")
         ->check(CLI::Range(1, 1000000));
-    add_hide_option(c, a->what.setup);
     add_clip_files(c, a->what.clips);
     add_reading_options(c, a->what.tracks);
     add_walking_options(c, a->what.tracks);
@@ -93,6 +92,7 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--scale", a->scale, "Size of letters and buttons; 2 for screens of high density")
         ->check(CLI::Range(1.0, 4.0))
         ->capture_default_str();
+    add_file_options(c, a->what.setup.of_file);
     c.add_option("--lod", a->what.setup.lod,
                  "People with levels of detail (on) or without (off), where the scene has both")
         ->check(CLI::IsMember({"off", "on"}))

@@ -30,7 +30,7 @@ void line_up(const ViewWhat &what, scenes::Library &library, Kept &kept, view::O
     std::vector<scenes::Character> loaded(names.size());
     for (size_t k = 0; k < names.size(); ++k) {
         if (names[k].find_first_of("./") == std::string::npos) continue;
-        kept.people.push_back(load_character(library, names[k], what.setup.hidden));
+        kept.people.push_back(load_character(library, names[k], what.setup.of_file));
         loaded[k] = kept.people.back().character();
     }
     opened.options.make = [names, loaded](scenes::Library &of, const scenes::CrowdOptions &crowd_options) {
@@ -84,11 +84,11 @@ void add_texture(scenes::Library &library, clq_asset *asset, const std::string &
 LoadedCharacter load_textured(scenes::Library &library, const ViewWhat &what)
 {
     if (what.textures.empty())
-        return load_character(library, what.setup.file, what.setup.hidden, what.clips, levels_of_file(what.setup));
+        return load_character(library, what.setup.file, what.setup.of_file, what.clips, levels_of_file(what.setup));
     if (is_prepared(what.setup.file))
         throw scenes::Failure(what.setup.file + " is prepared, and takes no other texture");
     LoadedCharacter loaded;
-    loaded.asset = load_asset(library, what.setup.file, what.setup.hidden, what.clips, &loaded.first_clip);
+    loaded.asset = load_asset(library, what.setup.file, what.setup.of_file, what.clips, &loaded.first_clip);
     for (const std::string &path : what.textures) add_texture(library, loaded.asset.get(), path);
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), what.setup.file);
@@ -122,9 +122,8 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     SceneArguments setup = what.setup;
     if (!what.tracks.file.empty()) {
         take_times(what, library, opened);
-        const scenes::walkers::Options options = walkers_of(what.tracks);
-        const scenes::walkers::ReplayOptions replay = {what.tracks.file, names_in(what.tracks.characters),
-                                                       options.follow};
+        const scenes::walkers::Options options = walkers_of(what.tracks, what.setup.of_file.placement);
+        const scenes::walkers::ReplayOptions replay = {what.tracks.file, options.characters, options.follow};
         setup.make = [options, replay](scenes::Library &of, const scenes::CrowdOptions &crowd_options) {
             return scenes::walkers::is_record(replay.file) ? scenes::walkers::make_replay(of, crowd_options, replay)
                                                            : scenes::walkers::make(of, crowd_options, options);
@@ -132,7 +131,8 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     }
     if (!setup.file.empty()) kept->character = load_textured(library, what);
     if (setup.file.find_first_of("./") != std::string::npos)
-        opened.character_file = std::filesystem::absolute(setup.file).string();
+        opened.character_file = std::filesystem::absolute(setup.file).string(),
+        opened.placement = setup.of_file.placement;
     opened.options = scene_options(setup, kept->character);
     if (!opened.options.path && has_path(setup) && setup.make == nullptr) {
         setup.camera = "path";
@@ -145,7 +145,7 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     opened.dress = [what](scenes::Library &, const scenes::Scene &scene) { dress(what, scene); };
     opened.asset_of = [what](scenes::Library &of, const std::string &name) {
         if (what.setup.file.empty()) return load_asset(of, name);
-        scenes::Own<clq_asset> asset = load_asset(of, what.setup.file, what.setup.hidden, what.clips);
+        scenes::Own<clq_asset> asset = load_asset(of, what.setup.file, what.setup.of_file, what.clips);
         for (const std::string &path : what.textures) add_texture(of, asset.get(), path);
         return asset;
     };

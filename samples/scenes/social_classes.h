@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "samples/scenes/odeon/temperament.h"
+#include "samples/scenes/placement.h"
 
 namespace scenes
 {
@@ -23,6 +24,7 @@ struct SocialClass {
     };
     std::vector<Dye> palette = {};  // zones that are not named keep the template's own range
     std::string at = {};            // in the file that describes it, for messages
+    Placement placement = {};       // of a file
 
     // Where people sit.
     uint32_t count = 0;
@@ -35,7 +37,11 @@ struct SocialClass {
         std::vector<std::string> idles;
     };
     Clips clips = {};
+    WalkingNodes limbs = {};
 };
+
+// Whether a character is a file, not a built-in one.
+inline bool is_file(const std::string &character) { return character.find_first_of("./") != std::string::npos; }
 
 class SocialClasses
 {

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "samples/processes/tile_borders.h"
+#include "samples/scenes/placement.h"
 #include "samples/scenes/scene_renderer.h"
 #include "samples/view/designer/dresser.h"
 #include "samples/view/ground/findings.h"
@@ -31,6 +32,7 @@ struct Opened {
     // The character of a template of this name, whose textures can then be painted; empty: none can.
     std::function<scenes::Own<clq_asset>(scenes::Library &, const std::string &tmpl)> asset_of = {};
     std::string character_file;  // of options.character; empty: it is built in
+    scenes::Placement placement = {};
 };
 using Open = std::function<Opened(scenes::Library &)>;
 
@@ -98,6 +100,7 @@ public:
     bool can_paint() const { return static_cast<bool>(opened_.asset_of); }
     const clq_template *character() const { return opened_.options.character.tmpl; }
     const std::string &character_file() const { return opened_.character_file; }
+    const scenes::Placement &placement() const { return opened_.placement; }
     bool has_path() const { return path_.has_value(); }
     bool begins_on_path() const { return path_ && opened_.begins_on_path; }
     double shown_s() const { return time_s_; }  // the time of the last frame

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "samples/scenes/placement.h"
 #include "samples/scenes/roles/role.h"
 
 namespace scenes::roles
@@ -10,6 +11,7 @@ namespace scenes::roles
 
 struct Person {
     std::string character;  // in a scenario by the number of its class
+    Placement placement;    // of its file
     size_t member = 0;
     std::array<double, 3> at = {0, 0, 0};
     std::array<float, 4> orientation = {0, 0, 0, 1};

@@ -117,6 +117,10 @@ std::string text_of(const std::string &name, const std::vector<Person> &people, 
         if (known) continue;
         characters.push_back(one.character);
         out += "\n[[characters]]\n" + line("name", quoted(one.character)) + line("character", quoted(one.character));
+        const Placement &placed = one.placement;
+        for (const auto &[key, value] :
+             {std::pair("turn_deg", placed.turn_deg), {"height_m", placed.height_m}, {"scale", placed.scale}})
+            if (value != 0) out += line(key, number(value));
     }
     for (const Person &one : people) {
         out += "\n[[people]]\n" + line("class", quoted(one.character)) + line("at", list(one.at)) +

@@ -72,6 +72,26 @@ void read_clips(TomlTable clips, SocialClass::Clips &out)
             "idles");
 }
 
+// How its file is placed, and which nodes walk.
+void read_placement(TomlTable &described, SocialClass &made)
+{
+    const auto has = [&](const char *key) {
+        if (described.has(key) && !is_file(made.character))
+            described.refuse("has " + std::string(key) + ", which is for files; " + made.character + " is built in",
+                             key);
+        return described.has(key);
+    };
+    if (has("turn_deg")) made.placement.turn_deg = described.number("turn_deg", {-1e9, 1e9});
+    if (has("height_m")) made.placement.height_m = described.number("height_m", {0.001, 1000});
+    if (has("scale")) made.placement.scale = described.number("scale", {1e-6, 1e6});
+    if (made.placement.height_m != 0 && made.placement.scale != 0)
+        described.refuse("has a height_m and a scale; each gives the size", "scale");
+    if (has("legs")) made.limbs.legs = described.texts("legs");
+    for (const auto &[key, name] :
+         {std::pair("torso", &made.limbs.torso), {"neck", &made.limbs.neck}, {"head", &made.limbs.head}})
+        if (has(key)) *name = described.text(key);
+}
+
 // With [stage] a class is what it looks like: how many there are of it, and what they do, is said by [[agents]].
 void read_agents_class(TomlTable &described, const ScenarioFiles &files, SocialClass &made)
 {
@@ -106,8 +126,8 @@ void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, Socia
 {
     if (described.has("clips"))
         read_clips(described.table("clips", "the clips of class '" + made.name + "'"), made.clips);
-    if (made.character.find_first_of("./") != std::string::npos)
-        made.character = file_of(described, "character", files);
+    read_placement(described, made);
+    if (is_file(made.character)) made.character = file_of(described, "character", files);
 }
 
 void read_characters(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)

@@ -35,7 +35,8 @@ void read_ground(TomlTable &all, const ScenarioFiles &files, Scenario &scenario)
 // The path of the file that a key names. Throws Failure, with the key's place, if it cannot be read.
 std::string file_of(TomlTable &table, const char *key, const ScenarioFiles &files);
 
-// What a character wears and plays, and its file if it is none of claque's own: also for descriptions of one person.
+// What a character wears and plays, and its file if it is none of claque's own, with how it is placed: also for
+// descriptions of one person.
 void read_palette(TomlTable &described, SocialClass &made);
 void read_clips_and_file(TomlTable &described, const ScenarioFiles &files, SocialClass &made);
 

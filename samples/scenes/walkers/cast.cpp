@@ -67,6 +67,31 @@ std::vector<uint32_t> idles_of(const Member &member, const clq_template_info &in
     return idles;
 }
 
+uint32_t node_of(const Member &member, const std::string &name)
+{
+    const uint32_t node = name.empty() ? CLQ_NONE : clq_template_find_node(member.tmpl, name.c_str());
+    if (!name.empty() && node == CLQ_NONE)
+        throw Failure("the character " + member.described.character + " has no node named " + name);
+    return node;
+}
+
+void name_limbs(const Member &member, clq_locomotion_def &def)
+{
+    const WalkingNodes &limbs = member.described.limbs;
+    def.torso = node_of(member, limbs.torso);
+    def.neck = node_of(member, limbs.neck), def.head = node_of(member, limbs.head);
+    const size_t each = limbs.legs.size() / 2;
+    if (limbs.legs.empty()) return;
+    if (limbs.legs.size() != 6 && limbs.legs.size() != 8)
+        throw Failure(
+            "the legs of " + member.described.character + " are " + std::to_string(limbs.legs.size()) +
+            " names; 6 or 8 are wanted: thigh, shin and foot of the left leg, then of the right, or toes too");
+    for (size_t side = 0; side < 2; ++side) {
+        const auto node = [&](size_t part) { return node_of(member, limbs.legs[side * each + part]); };
+        def.legs[side] = {node(0), node(1), node(2), each == 4 ? node(3) : CLQ_NONE};
+    }
+}
+
 }  // namespace
 
 uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
@@ -89,18 +114,25 @@ SocialClass class_of(const std::string &character)
 void take_template(Library &library, Member &member, Lod lod, Heads heads)
 {
     const std::string &character = member.described.character;
-    if (character.find_first_of("./") == std::string::npos) {
+    if (!is_file(character)) {
         if (heads == Heads::turn && is_person(character)) member.tmpl = library.looking(character, lod == Lod::on);
         else member.tmpl = lod == Lod::on ? library.builtin(character, {}) : library.builtin(character);
         return;
     }
+    member.own = template_of_file(library, member.described);
+    member.tmpl = member.own.get();
+}
+
+Own<clq_template> template_of_file(Library &library, const SocialClass &one)
+{
+    clq_asset_options options = clq_asset_options_init();
+    one.placement.give(options);
     clq_asset *asset = nullptr;
-    check(clq_asset_load_file(library.context(), character.c_str(), nullptr, &asset));
+    check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));
     const Own<clq_asset> held(asset);
     clq_template *made = nullptr;
-    check(clq_asset_build(library.context(), asset, 0, &made), character);
-    member.own.reset(made);
-    member.tmpl = made;
+    check(clq_asset_build(library.context(), asset, 0, &made), one.character);
+    return Own<clq_template>(made);
 }
 
 GaitClips gait_clips(const Member &member)
@@ -127,6 +159,7 @@ OwnLocomotion locomotion_of(Library &library, const Member &member)
     def.tmpl = member.tmpl;
     def.walk = clips.walk, def.run = clips.run, def.slow_walk = clips.slow_walk, def.turn = clips.turn;
     def.idles = clips.idles.data(), def.idle_count = static_cast<uint32_t>(clips.idles.size());
+    name_limbs(member, def);
     clq_locomotion *made = nullptr;
     check(clq_locomotion_create(library.context(), &def, &made), "the character " + member.described.character);
     return OwnLocomotion(made);
@@ -140,7 +173,8 @@ Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads
         take_template(library, member, lod, heads);
         clq_template_info info = clq_template_info_init();
         check(clq_template_get_info(member.tmpl, &info));
-        if (member.own && height_of(info) > 0) member.scale = person_m / height_of(info);
+        const bool has_size = described.placement.has_size();
+        if (member.own && !has_size && height_of(info) > 0) member.scale = person_m / height_of(info);
         member.locomotion = locomotion_of(library, member);
     });
     return member;

@@ -24,7 +24,7 @@ struct Member {
     Own<clq_template> own;  // of a file; built-in people belong to the library
     clq_template *tmpl = nullptr;
     OwnLocomotion locomotion;
-    double scale = 1;  // to the size of a person
+    double scale = 1;  // to the size of a person, unless the class has a size of its own
 };
 
 // The clip whose name is one of these words, alone or after a separator, whatever the case; CLQ_NONE: there is none.
@@ -35,6 +35,9 @@ SocialClass class_of(const std::string &character);
 
 // Whether a built-in person can turn its head to what it looks at. A character of a file can if the file says so.
 enum class Heads : uint8_t { still, turn };
+
+// The template of a class whose character is a file.
+Own<clq_template> template_of_file(Library &library, const SocialClass &one);
 
 // Its template: a built-in character or a file.
 void take_template(Library &library, Member &member, Lod lod, Heads heads = Heads::still);

@@ -10,6 +10,7 @@
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 #include "samples/scenes/stone.h"
+#include "samples/scenes/walkers/cast.h"
 #include "samples/scenes/walkers/ground.h"
 #include "samples/scenes/walkers/plain.h"
 
@@ -24,9 +25,9 @@ namespace
 class Cast
 {
 public:
-    Cast(Library &library, const clq_record_info &info, clq_record *record, const std::vector<std::string> &characters)
+    Cast(Library &library, const clq_record_info &info, clq_record *record, const std::vector<SocialClass> &characters)
     {
-        for (const std::string &name : characters) own_.push_back(cast_file(library, name));
+        for (const SocialClass &one : characters) own_.push_back(template_of_file(library, one));
         for (const Own<clq_template> &own : own_) templates_.push_back(own.get());
         std::vector<std::string> builtins;
         for (uint32_t i = 0; i < info.template_count; ++i) {
@@ -48,15 +49,6 @@ public:
     const std::vector<clq_template *> &templates() const { return templates_; }
 
 private:
-    static Own<clq_template> cast_file(Library &library, const std::string &file)
-    {
-        clq_asset *asset = nullptr;
-        check(clq_asset_load_file(library.context(), file.c_str(), nullptr, &asset));
-        const Own<clq_asset> loaded(asset);
-        clq_template *made = nullptr;
-        check(clq_asset_build(library.context(), asset, 0, &made), file);
-        return Own<clq_template>(made);
-    }
     clq_status give(clq_record *record) const
     {
         return clq_record_set_templates(record, templates_.data(), static_cast<uint32_t>(templates_.size()));

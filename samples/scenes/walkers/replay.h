@@ -16,7 +16,7 @@ using OwnRecord = std::unique_ptr<clq_record, DestroyRecord>;
 
 struct ReplayOptions {
     std::string file;
-    std::vector<std::string> characters;  // for templates that no built-in character has the name of
+    std::vector<SocialClass> characters;  // for templates that no built-in character has the name of
     std::string follow;                   // the number of the actor that the camera follows; empty: it stands
 };
 

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "samples/scenes/roles/person.h"
+#include "samples/scenes/social_classes.h"
 #include "samples/view/panels.h"
 
 namespace view
@@ -19,6 +20,7 @@ Person person_of(const World &world, const Model &model, clq_actor actor)
     if (!world.find(actor, info)) throw scenes::Failure("person " + std::to_string(actor.index1) + " is gone");
     Person person;
     person.character = character_of(world, info.tmpl);
+    if (scenes::is_file(person.character)) person.placement = world.placement();
     const auto role = model.ground.roles.find(actor.index1);
     person.role = role != model.ground.roles.end() ? role->second : scenes::roles::present_role(world.crowd(), actor);
     // A treadmill or a path may have it elsewhere than where it stands.

@@ -1,0 +1,36 @@
+#include "samples/cli/file_arguments.h"
+
+#include "samples/scenes/check.h"
+
+namespace cli
+{
+
+void add_file_options(CLI::App &command, FileArguments &a)
+{
+    command
+        .add_option("--hide", a.hidden, "Leave out the node of this name and its descendants (FILE only; may repeat)")
+        ->expected(1)
+        ->take_all();
+    add_placement_options(command, a.placement);
+}
+
+void add_placement_options(CLI::App &command, scenes::Placement &placement)
+{
+    command.add_option("--turn", placement.turn_deg,
+                       "Turn the characters of files about y, in degrees: 180 for one that shows its back");
+    CLI::Option *height = command
+                              .add_option("--height", placement.height_m,
+                                          "Height of the characters of files at rest in metres (default: the file's)")
+                              ->check(CLI::PositiveNumber);
+    if (command.get_option_no_throw("--scale") == nullptr)
+        command.add_option("--scale", placement.scale, "Multiply the size of the characters of files")
+            ->check(CLI::Range(1e-6, 1e6))
+            ->excludes(height);
+}
+
+void expect_unplaced(const FileArguments &arguments, const std::string &why)
+{
+    if (arguments.placement.any()) throw scenes::Failure(why + "; --turn, --height and --scale are for files");
+}
+
+}  // namespace cli

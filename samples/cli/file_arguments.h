@@ -1,0 +1,27 @@
+// The options by which commands read the file of a character: --hide, --turn, --height, --scale.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "samples/scenes/placement.h"
+
+namespace cli
+{
+
+struct FileArguments {
+    std::vector<std::string> hidden;
+    scenes::Placement placement;
+};
+
+// All four. A command that has a --scale of its own keeps it, and calls this afterwards.
+void add_file_options(CLI::App &command, FileArguments &arguments);
+// All but --hide.
+void add_placement_options(CLI::App &command, scenes::Placement &placement);
+
+// Throws Failure where they are given for what is not read from a file of a character.
+void expect_unplaced(const FileArguments &arguments, const std::string &why);
+
+}  // namespace cli

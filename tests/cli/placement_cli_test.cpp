@@ -1,0 +1,135 @@
+// --turn, --height, --scale and --legs of commands that load characters, and the same keys of scenarios.
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "tests/cli/run.h"
+#include "tests/support/walking_figure.h"
+
+namespace cli_test
+{
+namespace
+{
+
+using claque::testing::FigureTraits;
+using claque::testing::walking_figure;
+
+class PlacementOptions : public Command
+{
+protected:
+    PlacementOptions()
+    {
+        FigureTraits back;
+        back.heading_deg = 180;
+        write("back.glb", back);
+        back.strange_names = true;
+        write("strange.glb", back);
+        std::ofstream table(path("way.csv"));
+        table << "id,frame,x,y\n";
+        for (int frame = 0; frame <= 50; ++frame) table << "anna," << frame << ',' << 0.12 * frame << ",0\n";
+    }
+    void write(const std::string &name, const FigureTraits &traits) const
+    {
+        const claque::testing::Bytes bytes = walking_figure(traits);
+        std::ofstream(path(name), std::ios::binary)
+            .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
+    Outcome tracks(const std::vector<std::string> &more) const
+    {
+        std::vector<std::string> arguments = {"tracks", path("way.csv"), "--columns", "id,frame,x,y", "--rate",
+                                              "10",     "--unit",        "m"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
+    }
+    std::vector<float> dumped(const std::vector<std::string> &more) const
+    {
+        std::vector<std::string> arguments = {"dump", path("back.glb"), "--out", path("dumped.npy")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        const std::string file = file_text(path("dumped.npy"));
+        std::vector<float> xyz((file.size() - 128) / sizeof(float));
+        std::memcpy(xyz.data(), file.data() + 128, xyz.size() * sizeof(float));
+        return xyz;
+    }
+    // Of one scenario with a class of this character and these lines.
+    Outcome scenario(const std::string &character, const std::string &lines) const
+    {
+        std::ofstream(path("scenario.toml"))
+            << "name = \"walk\"\n[tracks]\nfile = \"way.csv\"\ncolumns = \"id,frame,x,y\"\nrate_hz = 10\nunit = \"m\"\n"
+            << "[[characters]]\nname = \"people\"\ncharacter = \"" << character << "\"\n"
+            << lines;
+        return claque({"render", "--scenario", path("scenario.toml"), "--size", "64x48", "--out", path("s.png")});
+    }
+};
+
+bool says(const Outcome &outcome, const std::string &sentence)
+{
+    return outcome.err.find(sentence) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_F(PlacementOptions, TurnAndSizeTheCharacterOfAFile)
+{
+    const std::vector<float> plain = dumped({}), turned = dumped({"--turn", "180"}), half = dumped({"--scale", "0.5"});
+    ASSERT_EQ(plain.size(), turned.size());
+    double low = 1e9, high = -1e9;
+    const std::vector<float> tall = dumped({"--height", "2.5", "--turn", "90"});
+    for (size_t i = 0; i < plain.size(); i += 3) {
+        EXPECT_NEAR(turned[i], -plain[i], 1e-5);
+        EXPECT_NEAR(turned[i + 2], -plain[i + 2], 1e-5);
+        EXPECT_NEAR(half[i + 1], plain[i + 1] / 2, 1e-5);
+        low = std::min(low, double(tall[i + 1])), high = std::max(high, double(tall[i + 1]));
+    }
+    EXPECT_NEAR(high - low, 2.5, 1e-5);
+}
+
+TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
+{
+    EXPECT_TRUE(says(claque({"dump", "citizen", "--turn", "180", "--out", path("d.npy")}),
+                     "citizen is built in; --turn, --height and --scale are for files"));
+    EXPECT_NE(claque({"dump", path("back.glb"), "--height", "1", "--scale", "2", "--out", path("d.npy")}).code, 0);
+    ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
+    EXPECT_TRUE(says(claque({"split", path("back.clq"), "--turn", "180"}),
+                     "back.clq is prepared already, with claque prepare; --turn, --height and --scale are for files"));
+}
+
+TEST_F(PlacementOptions, RefuseAWalkerThatFacesBackAndTurnIt)
+{
+    const Outcome back = tracks({"--characters", path("back.glb")});
+    EXPECT_EQ(back.code, 1);
+    EXPECT_TRUE(says(back, "move forward at stance: the character faces -z; turn_deg 180 (--turn 180) turns it"))
+        << back.err;
+    const Outcome turned = tracks({"--characters", path("back.glb"), "--turn", "180"});
+    EXPECT_EQ(turned.code, 0) << turned.err;
+}
+
+TEST_F(PlacementOptions, NameTheNodesOfLegs)
+{
+    const Outcome unnamed = tracks({"--characters", path("strange.glb"), "--turn", "180"});
+    EXPECT_TRUE(says(unnamed, "--legs of the command")) << unnamed.err;
+    const Outcome named =
+        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,A4,B1,B2,B3,B4"});
+    EXPECT_EQ(named.code, 0) << named.err;
+    const Outcome without_toes =
+        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B3", "--head", "Head"});
+    EXPECT_EQ(without_toes.code, 0) << without_toes.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1"}),
+                     "are 4 names; 6 or 8 are wanted"));
+    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B9"}),
+                     "has no node named B9"));
+}
+
+TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)
+{
+    const Outcome back = scenario("back.glb", "");
+    EXPECT_EQ(back.code, 1);
+    EXPECT_TRUE(says(back, "the character faces -z; turn_deg 180 (--turn 180) turns it")) << back.err;
+    EXPECT_FALSE(says(scenario("back.glb", "turn_deg = 180\nheight_m = 1.6\n"), "faces -z"));
+    EXPECT_TRUE(says(scenario("strange.glb", "turn_deg = 180\nlegs = [\"A1\", \"A2\"]\n"), "are 2 names"));
+    EXPECT_TRUE(says(scenario("back.glb", "height_m = 1.6\nscale = 2\n"), "has a height_m and a scale"));
+    EXPECT_TRUE(says(scenario("citizen", "turn_deg = 180\n"), "has turn_deg, which is for files; citizen is built in"));
+}
+
+}  // namespace cli_test
