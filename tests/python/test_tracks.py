@@ -125,3 +125,21 @@ def test_feet_stand_on_the_ground_that_a_function_gives(walk):
 
     with pytest.raises(KeyError, match="no stone"):
         claque.Track(walk, times, points, ground=broken)
+
+
+def test_a_file_is_turned_and_sized_by_one_of_two_numbers(context, tmp_path):
+    with pytest.raises(claque.Error, match="height_m is 1.8 and scale is 2: each gives the size"):
+        path = tmp_path / "none.glb"
+        path.write_bytes(b"{}")
+        claque.Template.load(context, path, turn_deg=180, height_m=1.8, scale=2)
+
+
+def test_legs_and_head_can_be_named(context):
+    with claque.Template.builtin(context, "citizen") as citizen:
+        legs = [[part + side for part in ("thigh", "shin", "foot")] for side in ("_l", "_r")]
+        named = claque.Locomotion(citizen, legs=legs, head="head").info
+        assert [leg.foot for leg in named.legs] == [citizen.node("foot_l"), citizen.node("foot_r")]
+        assert named.legs[0].toes == claque.abi.NONE and named.torso == claque.abi.NONE
+        assert named.head == citizen.node("head")
+        with pytest.raises(KeyError, match="has no node 'tail'"):
+            claque.Locomotion(citizen, head="tail")

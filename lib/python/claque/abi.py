@@ -179,9 +179,15 @@ class LevelsDef(Sized):
                 ("quadric_only", c_bool)]
 
 
+class AssetOptions(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("base_folder", c_char_p), ("hidden_nodes", POINTER(c_char_p)),
+                ("hidden_node_count", c_uint32), ("memory_limit_bytes", c_uint64), ("bvh_metres_per_unit", c_double),
+                ("strict", c_bool), ("turn_deg", c_double), ("height_m", c_double), ("scale", c_double)]
+
+
 class PrepareDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("builtin", c_char_p), ("path", c_char_p), ("clip_count", c_uint32),
-                ("options", c_void_p), ("levels", POINTER(LevelsDef)), ("max_texture_px", c_uint32),
+                ("options", POINTER(AssetOptions)), ("levels", POINTER(LevelsDef)), ("max_texture_px", c_uint32),
                 ("folder", c_char_p), ("dofs", c_void_p), ("dof_count", c_uint32)]
 
 
@@ -195,6 +201,7 @@ STRUCTS = {
     "clq_drawn_actor": DrawnActor, "clq_drawn_arrays": DrawnArrays, "clq_view_stats": ViewStats,
     "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
     "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef,
+    "clq_asset_options": AssetOptions,
 }
 
 

@@ -22,9 +22,12 @@ class Template(Owned):
         return cls._prepare(context, levels, folder, builtin=name.encode())
 
     @classmethod
-    def load(cls, context, path, levels=False, folder=""):
-        """Reads a glTF or GLB file."""
-        return cls._prepare(context, levels, folder, path=str(path).encode())
+    def load(cls, context, path, levels=False, folder="", turn_deg=0, height_m=0, scale=0):
+        """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor
+        (clq_asset_options)."""
+        options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale)
+        return cls._prepare(context, levels, folder, path=str(path).encode(),
+                            options=cast(byref(options), POINTER(abi.AssetOptions)))
 
     @classmethod
     def load_prepared(cls, context, path):
@@ -81,6 +84,13 @@ class Template(Owned):
         if name not in names:
             raise KeyError(f"{self.name} has no clip {name!r}; it has {', '.join(names)}")
         return names.index(name)
+
+    def node(self, name):
+        """The index of a node. Raises KeyError if there is none of this name."""
+        found = abi.library().function("clq_template_find_node", c_uint32)(self.handle, name.encode())
+        if found == abi.NONE:
+            raise KeyError(f"{self.name} has no node {name!r}")
+        return found
 
     def mesh(self, level=0):
         """The bind pose of a level: a dict of positions, normals (n, 3) and uvs (n, 2), which are views of the

@@ -14,21 +14,28 @@ FOUND = numpy.dtype([("track", "u4"), ("passing", PASSING)], align=True)
 
 
 class Locomotion(Owned):
-    """The clips that a template stands, walks and runs with, by name; measured once."""
+    """The clips that a template stands, walks and runs with, by name; measured once.
+
+    legs: names of thigh, shin and foot, or of toes too, of the left and the right leg, where they have no usual names;
+    torso, neck and head: names of these nodes, likewise."""
 
     _destroy = "clq_locomotion_destroy"
 
-    def __init__(self, template, walk="walk", run=None, idles=(), slow_walk=None, turn=None):
+    def __init__(self, template, walk="walk", run=None, idles=(), slow_walk=None, turn=None, legs=((), ()), torso=None,
+                 neck=None, head=None):
         def number(name):
             return abi.NONE if name is None else template.clip(name)
 
+        def node(name):
+            return abi.NONE if name is None else template.node(name)
+
         definition = abi_tracks.LocomotionDef(tmpl=template.handle, walk=template.clip(walk), run=number(run),
-                                       slow_walk=number(slow_walk), turn=number(turn), torso=abi.NONE, neck=abi.NONE,
-                                       head=abi.NONE)
+                                       slow_walk=number(slow_walk), turn=number(turn), torso=node(torso),
+                                       neck=node(neck), head=node(head))
         idles = (c_uint32 * len(idles))(*[template.clip(name) for name in idles])
         definition.idle_count, definition.idles = len(idles), cast(idles, POINTER(c_uint32))
-        for leg in definition.legs:
-            leg.thigh = leg.shin = leg.foot = leg.toes = abi.NONE
+        for leg, names in zip(definition.legs, legs):
+            leg.thigh, leg.shin, leg.foot, leg.toes = (*map(node, names), *4 * [abi.NONE])[:4]
         context = template._held[0]
         super().__init__(made("clq_locomotion_create", abi.call, context.handle, byref(definition)), template)
         self.template = template
