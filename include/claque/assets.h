@@ -207,6 +207,19 @@ typedef enum clq_retarget_mode {
     CLQ_RETARGET_MOTION = 2
 } clq_retarget_mode;
 
+/* The pose of the clips' skeleton that corresponds to the character's rest pose. */
+typedef enum clq_source_rest {
+    /* CHARACTER if the bones' names and offsets are equal: each within 1 % of its limb, at one common scale. Else BONES
+     * if all bones lie along one axis in the file's rest pose. Else CHARACTER if bones then point as in the clips, and
+     * with FILE 15 degrees or more elsewhere. Else FILE. The log names each choice but the first and the last. */
+    CLQ_SOURCE_REST_AUTOMATIC = 0,
+    CLQ_SOURCE_REST_FILE = 1,  /* the file's rest pose */
+    CLQ_SOURCE_REST_FRAME = 2, /* the pose of the key rest_frame of the first clip that is taken */
+    /* The pose of a clip in which the bones point most as the character's do; all joints are CLQ_REST_ALIGN. */
+    CLQ_SOURCE_REST_BONES = 3,
+    CLQ_SOURCE_REST_CHARACTER = 4 /* the character's: local rotations are copied, whatever the rest of the file is */
+} clq_source_rest;
+
 typedef enum clq_root_travel {
     CLQ_ROOT_TRAVEL_IN_PLACE = 0, /* removes the straight line from the clip's first position to its last */
     CLQ_ROOT_TRAVEL_KEEP = 1
@@ -228,6 +241,8 @@ typedef struct clq_clips_def {
     uint32_t follower_count;
     /* The clip turns into its first pose over this time before its end, so that it loops. 0: it does not. */
     float close_s;
+    clq_source_rest rest;
+    uint32_t rest_frame; /* for CLQ_SOURCE_REST_FRAME: from 0 */
 } clq_clips_def;
 
 CLQ_DEFINE_ZERO_INIT(clq_clips_def)
@@ -241,8 +256,11 @@ typedef struct clq_clips_report {
 
 CLQ_DEFINE_ZERO_INIT(clq_clips_report)
 
-/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name. The context's log
- * and the asset's warnings name the joints that are not bound. A clip whose name is taken gets a number.
+/* Adds clips of one asset to another, before templates are built from it. Joints are bound by name, or as the parts of
+ * a human body if more of them are found so: by the humanoid bones of VRM files, or by the usual names. The context's
+ * log and the asset's warnings name the joints that are not bound, and the clips that show a head below the hips, feet
+ * above the ground or arms in the trunk where the clips' own skeleton does not. A clip whose name is taken gets a
+ * number.
  *   source       any asset with clips: glTF with or without meshes, BVH, a built-in character; not kept
  *   def          NULL means clq_clips_def_init()
  *   out_report   made by clq_clips_report_init; may be NULL

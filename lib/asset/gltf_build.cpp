@@ -7,6 +7,7 @@
 #include "lib/asset/gltf_dofs.h"
 #include "lib/asset/gltf_mesh.h"
 #include "lib/asset/gltf_skin.h"
+#include "lib/asset/vrm_bones.h"
 
 namespace claque::asset
 {
@@ -46,6 +47,7 @@ public:
         for (const FileNode &node : tree_.nodes)
             targets.push_back(node.mesh == none ? 0 : meshes_[node.mesh].target_count);
         read_clips(file_, tree_, targets, places_, model_.rig);
+        model_.human_bones = read_vrm_bones(file_.root, places_.node, file_.budget);
         std::vector<bool> used(materials_.count(), false);
         for (const model::Part &part : model_.parts)
             if (!part.hidden) used[part.material] = true;

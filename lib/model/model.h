@@ -123,6 +123,8 @@ struct Model {
     std::vector<TextureSet> texture_sets;  // besides the materials' own
     std::vector<Part> parts;               // file order: nodes depth first, primitives in order
     std::vector<RootMotionRequest> root_motions;
+    // Joints that the file names as parts of a human body (VRM): leftUpperLeg and a node of the rig.
+    std::vector<std::pair<std::string, uint32_t>> human_bones;
     // Clips that came when levels of detail were accepted already: they do not count for what joints levels keep apart,
     // so that a character keeps its levels.
     uint32_t first_late_clip = 0, late_clip_count = 0;

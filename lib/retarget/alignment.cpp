@@ -26,7 +26,25 @@ std::array<glm::dquat, 24> axis_rotations()
     return out;
 }
 
-// Returns the axis rotation under which the joints at rest are most similar; files differ in their up and forward axes.
+// Returns the ratio of leg lengths: the bone lengths down to the lowest joint, without the first bone, which differs
+// most between skeletons.
+double leg_ratio(const std::vector<JointMatch> &matches, const GlobalPose &target, const GlobalPose &source)
+{
+    uint32_t lowest = 0;
+    for (uint32_t i = 1; i < matches.size(); ++i)
+        if (target.positions[matches[i].target].y < target.positions[matches[lowest].target].y - 1e-6) lowest = i;
+    double t = 0, s = 0;
+    for (uint32_t i = lowest; matches[i].above != none; i = matches[i].above) {
+        const JointMatch &lower = matches[i], &upper = matches[lower.above];
+        if (upper.above == none && t > 0 && s > 0) break;
+        t += glm::length(target.positions[lower.target] - target.positions[upper.target]);
+        s += glm::length(source.positions[lower.source] - source.positions[upper.source]);
+    }
+    return t > 0 && s > 0 ? t / s : 1;
+}
+
+}  // namespace
+
 glm::dquat common_axes(const std::vector<JointMatch> &matches, const GlobalPose &target, const GlobalPose &source)
 {
     glm::dvec3 middle_t(0), middle_s(0);
@@ -47,25 +65,6 @@ glm::dquat common_axes(const std::vector<JointMatch> &matches, const GlobalPose 
     return best;
 }
 
-// Returns the ratio of leg lengths: the bone lengths down to the lowest joint, without the first bone, which differs
-// most between skeletons.
-double leg_ratio(const std::vector<JointMatch> &matches, const GlobalPose &target, const GlobalPose &source)
-{
-    uint32_t lowest = 0;
-    for (uint32_t i = 1; i < matches.size(); ++i)
-        if (target.positions[matches[i].target].y < target.positions[matches[lowest].target].y - 1e-6) lowest = i;
-    double t = 0, s = 0;
-    for (uint32_t i = lowest; matches[i].above != none; i = matches[i].above) {
-        const JointMatch &lower = matches[i], &upper = matches[lower.above];
-        if (upper.above == none && t > 0 && s > 0) break;
-        t += glm::length(target.positions[lower.target] - target.positions[upper.target]);
-        s += glm::length(source.positions[lower.source] - source.positions[upper.source]);
-    }
-    return t > 0 && s > 0 ? t / s : 1;
-}
-
-}  // namespace
-
 glm::dquat rotation_between(glm::dvec3 from, glm::dvec3 to)
 {
     const double lengths = std::sqrt(glm::dot(from, from) * glm::dot(to, to));
@@ -77,10 +76,10 @@ glm::dquat rotation_between(glm::dvec3 from, glm::dvec3 to)
 }
 
 SkeletonAlignment align_skeletons(const std::vector<JointMatch> &matches, const GlobalPose &target,
-                                  const GlobalPose &source)
+                                  const GlobalPose &source, const glm::dquat &axes)
 {
     SkeletonAlignment alignment;
-    alignment.axes = common_axes(matches, target, source);
+    alignment.axes = axes;
     alignment.scale = leg_ratio(matches, target, source);
     std::vector<uint32_t> below(matches.size(), none), below_count(matches.size(), 0);
     for (uint32_t i = 0; i < matches.size(); ++i)

@@ -124,6 +124,24 @@ void append_values(const model::Rig &source, const model::Channel &channel, cons
     }
 }
 
+// The pose of a file that rests in the first pose of its clip is in its rest where a channel would not change it.
+void add_rest_rotation(const model::Rig &target, const model::Rig &source, const JointMatch &match,
+                       const Rebase &rebase, float time_s, NewClips &added)
+{
+    const glm::quat rotation = rebase.rotation * source.rest[match.source].rotation;
+    if (std::fabs(glm::dot(rotation, target.rest[match.target].rotation)) > 0.9999f) return;
+    model::Channel out;
+    out.node = match.target;
+    out.target = model::ChannelTarget::rotation;
+    out.component_count = 4;
+    out.key_count = 1;
+    out.first_time = static_cast<uint32_t>(added.times.size());
+    out.first_value = static_cast<uint32_t>(added.values.size());
+    added.times.push_back(time_s);
+    added.values.insert(added.values.end(), {rotation.x, rotation.y, rotation.z, rotation.w});
+    added.channels.push_back(out);
+}
+
 }  // namespace
 
 bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches)
@@ -131,12 +149,7 @@ bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const 
     const Pairs pairs(target, source, matches);
     const float size = pairs.size();
     for (const JointMatch &match : matches) {
-        // The match of the target's bound ancestor must be an ancestor of the source's joint, at any distance.
-        const uint32_t anchor = match.above == none ? none : matches[match.above].source;
-        uint32_t up = source.parents[match.source];
-        for (; up != anchor && up != none; up = source.parents[up])
-            if (moves(source, up)) return false;
-        if (up != anchor) return false;
+        if (!hangs_alike(source, matches, match)) return false;
         const Frames frames = pairs.frames(match);
         if (!alike(math::mul(frames.target.transform, math::affine_of(target.rest[match.target])),
                    math::mul(frames.source.transform, math::affine_of(source.rest[match.source])), size))
@@ -157,6 +170,7 @@ void copy_channels(const model::Rig &target, const model::Rig &source, const std
     made.duration_s = from.duration_s;
     for (const JointMatch &match : matches) {
         const Rebase rebase = pairs.rebase(match);
+        bool rotates = false;
         for (uint32_t c = 0; c < from.channel_count; ++c) {
             const model::Channel &channel = source.channels[from.first_channel + c];
             const bool morphs = channel.target == model::ChannelTarget::morph_weights;
@@ -172,7 +186,9 @@ void copy_channels(const model::Rig &target, const model::Rig &source, const std
             out.first_value = static_cast<uint32_t>(added.values.size());
             append_values(source, channel, rebase, added.values);
             added.channels.push_back(out);
+            rotates |= out.target == model::ChannelTarget::rotation;
         }
+        if (!rotates) add_rest_rotation(target, source, match, rebase, from.start_s, added);
     }
     made.channel_count = static_cast<uint32_t>(added.channels.size()) - made.first_channel;
     added.clips.push_back(made);

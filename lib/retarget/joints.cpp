@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
+#include "lib/retarget/human_bones.h"
 
 namespace claque::retarget
 {
@@ -69,6 +70,26 @@ std::vector<JointMatch> by_name(const model::Rig &target, const model::Rig &sour
     return out;
 }
 
+// Joints of equal names, or those that are equal parts of a body if these are clearly more.
+std::vector<JointMatch> without_map(const model::Rig &target, const model::Rig &source, Options &options,
+                                    std::vector<std::string> &warnings)
+{
+    std::vector<std::string> of_names;
+    std::vector<JointMatch> named = by_name(target, source, of_names);
+    HumanBinding human = bind_human(target, source, options);
+    const bool listed = !options.target_bones.empty() && !options.source_bones.empty();
+    if (human.matches.empty() || (!listed && 2 * human.matches.size() <= 3 * named.size())) {
+        warnings.insert(warnings.end(), of_names.begin(), of_names.end());
+        return named;
+    }
+    if (options.followers.empty()) options.followers = std::move(human.followers);
+    const JointMatch &one = human.matches.front();
+    warnings.push_back(base::text_of("without a map %zu joints are bound as parts of a human body, '%s' to '%s' first",
+                                     human.matches.size(), source.node_names[one.source].c_str(),
+                                     target.node_names[one.target].c_str()));
+    return std::move(human.matches);
+}
+
 // A node with the same name that has no channel does not count as a binding.
 bool binds(const std::vector<JointMatch> &matches, const model::Rig &source)
 {
@@ -81,11 +102,11 @@ bool binds(const std::vector<JointMatch> &matches, const model::Rig &source)
 
 }  // namespace
 
-std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
+std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, Options &options,
                                      std::vector<std::string> &warnings)
 {
-    std::vector<JointMatch> out =
-        options.joints.empty() ? by_name(target, source, warnings) : by_map(target, source, options, warnings);
+    std::vector<JointMatch> out = options.joints.empty() ? without_map(target, source, options, warnings)
+                                                         : by_map(target, source, options, warnings);
     if (!binds(out, source))
         fail(CLQ_ARGUMENT, "none of the %zu joints of the clips is bound to any of the character's %u joints%s",
              static_cast<size_t>(source.node_count()), target.node_count(),
@@ -97,6 +118,35 @@ std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig 
         for (uint32_t up = target.parents[match.target]; up != none && match.above == none; up = target.parents[up])
             match.above = match_of[up];
     return out;
+}
+
+bool drop_armatures(const model::Rig &target, const model::Rig &source, std::vector<JointMatch> &matches)
+{
+    const GlobalPose rest = rest_pose(target);
+    bool any = false;
+    while (matches.size() > 2 && !moves(source, matches[0].source)) {
+        double low = 1e300, high = -1e300;
+        for (size_t i = 1; i < matches.size(); ++i) {
+            // Ancestors come first: the second joint is the only one below the first.
+            if (matches[i].above == none || (i > 1 && matches[i].above == 0)) return any;
+            low = std::min(low, rest.positions[matches[i].target].y);
+            high = std::max(high, rest.positions[matches[i].target].y);
+        }
+        if (rest.positions[matches[0].target].y > low + 0.1 * (high - low)) return any;
+        matches.erase(matches.begin());
+        for (JointMatch &match : matches) match.above = match.above == 0 ? none : match.above - 1;
+        any = true;
+    }
+    return any;
+}
+
+bool hangs_alike(const model::Rig &source, const std::vector<JointMatch> &matches, const JointMatch &match)
+{
+    const uint32_t anchor = match.above == none ? none : matches[match.above].source;
+    uint32_t up = source.parents[match.source];
+    for (; up != anchor && up != none; up = source.parents[up])
+        if (moves(source, up)) return false;
+    return up == anchor;
 }
 
 bool moves(const model::Rig &rig, uint32_t node)

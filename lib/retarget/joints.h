@@ -14,10 +14,17 @@ struct JointMatch {
     uint32_t above = model::none;  // match of the nearest matched ancestor in the target
 };
 
-// Returns the matches in the target's order, so ancestors come first. Throws base::Error (CLQ_ARGUMENT) if there are
-// none.
-std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, const Options &options,
+// Returns the matches in the target's order, so ancestors come first. Without a map the options get the followers that
+// belong to them. Throws base::Error (CLQ_ARGUMENT) if there are none.
+std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig &source, Options &options,
                                      std::vector<std::string> &warnings);
+
+// Drops joints on the ground that rest in all clips and carry one bound joint, such as the armature of an exporter: the
+// path of the clips is that of the first joint that moves. Returns whether there were any.
+bool drop_armatures(const model::Rig &target, const model::Rig &source, std::vector<JointMatch> &matches);
+
+// Returns whether the joint hangs on the same bound joint in both skeletons, with nothing between them that moves.
+bool hangs_alike(const model::Rig &source, const std::vector<JointMatch> &matches, const JointMatch &match);
 
 // Returns whether any clip moves the node out of its rest pose; files also hold channels of nodes at rest.
 bool moves(const model::Rig &rig, uint32_t node);

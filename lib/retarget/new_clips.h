@@ -17,8 +17,8 @@ struct NewClips {
     std::vector<std::string> marker_names;
 };
 
-// Copies the clip's channels; morph weights too, if the bound node of the target has a morph set of that size. Requires
-// rest_poses_agree().
+// Copies the clip's channels; morph weights too, if the bound node of the target has a morph set of that size. Joints
+// that do not rotate take the rotation of the source's rest. Requires rest_poses_agree(), or offsets that agree.
 void copy_channels(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
                    uint32_t clip, NewClips &added);
 
@@ -26,8 +26,9 @@ void copy_channels(const model::Rig &target, const model::Rig &source, const std
 // their bound ancestors, and nothing between them moves.
 bool rest_poses_agree(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches);
 
-struct SkeletonAlignment;
+struct RestChoice;
+class PoseCheck;
 void transfer(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
-              const SkeletonAlignment &alignment, const Options &options, uint32_t clip, NewClips &added);
+              const RestChoice &rest, const Options &options, uint32_t clip, NewClips &added, PoseCheck &check);
 
 }  // namespace claque::retarget

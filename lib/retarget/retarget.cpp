@@ -3,8 +3,9 @@
 #include <algorithm>
 
 #include "lib/base/error.h"
-#include "lib/retarget/alignment.h"
 #include "lib/retarget/new_clips.h"
+#include "lib/retarget/pose_check.h"
+#include "lib/retarget/source_rest.h"
 
 namespace claque::retarget
 {
@@ -116,29 +117,38 @@ void merge(model::Rig &target, NewClips &&added)
 
 }  // namespace
 
-Report add_clips(model::Rig &target, const model::Rig &source, const Options &options, const Before &before)
+Report add_clips(model::Rig &target, const model::Rig &source, const Options &asked, const Before &before)
 {
-    check(options);
+    check(asked);
+    Options options = asked;
     Report report;
     const std::vector<uint32_t> clips = wanted_clips(source, options);
-    const std::vector<JointMatch> matches = match_joints(target, source, options, report.warnings);
-    report.joint_count = static_cast<uint32_t>(matches.size());
-    report.clip_count = static_cast<uint32_t>(clips.size());
+    std::vector<JointMatch> matches = match_joints(target, source, options, report.warnings);
+    std::vector<std::string> notes;
+    RestChoice rest = choose_rest(target, source, matches, options, clips, notes);
     report.mode = options.mode;
     if (options.mode == Mode::automatic) {
         const bool whole =
             options.start_s == 0 && options.close_s == 0 && options.end_s == std::numeric_limits<double>::infinity();
-        report.mode = whole && rest_poses_agree(target, source, matches) ? Mode::channels : Mode::motion;
+        report.mode = whole && rest.channels ? Mode::channels : Mode::motion;
     }
-    const SkeletonAlignment alignment = align_skeletons(matches, rest_pose(target), rest_pose(source));
+    if (report.mode == Mode::motion && options.joints.empty() && drop_armatures(target, source, matches)) {
+        notes.clear();
+        rest = choose_rest(target, source, matches, options, clips, notes);
+    }
+    append(report.warnings, notes);
+    report.joint_count = static_cast<uint32_t>(matches.size());
+    report.clip_count = static_cast<uint32_t>(clips.size());
+    PoseCheck looked(target, source, matches);
     NewClips added;
     for (const uint32_t clip : clips) {
         if (report.mode == Mode::channels) copy_channels(target, source, matches, clip, added);
-        else transfer(target, source, matches, alignment, options, clip, added);
+        else transfer(target, source, matches, rest, options, clip, added, looked);
         copy_markers(source, clip, options, report.mode, added);
         const std::string name = options.prefix + source.clip_names[clip].c_str();
         added.names.push_back(unique_name(target, added, name, report));
     }
+    looked.tell(rest.kind, report.warnings);
     report.clips = clips;
     for (const JointMatch &match : matches) report.joints.emplace_back(match.source, match.target);
     if (before) before(report);

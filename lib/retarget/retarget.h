@@ -1,6 +1,6 @@
 // Retargeting: makes clips of one skeleton usable on another, whose joints are bound by name. Start-up only.
 //
-// If the skeletons agree at rest, channels are copied with their key times, steps and splines. Otherwise the motion is
+// If the skeletons agree, channels are copied with their key times, steps and splines. Otherwise the motion is
 // transferred: a joint rotates from its rest in model space as the source's does, and the topmost joint follows the
 // source's path, scaled by the ratio of leg lengths and lowered so that the feet touch the ground. Markers go with
 // their clips; of a cut clip, those within the kept range.
@@ -39,6 +39,18 @@ struct Follower {
     // moves away from the joint's side rotates it by 0.3 of its share.
 };
 
+// The pose of the clips' skeleton that corresponds to the character's rest pose.
+enum class SourceRest : uint8_t {
+    automatic = 0,  // source_rest.h
+    file = 1,
+    frame = 2,     // a key of the first clip
+    bones = 3,     // the pose of a clip in which the bones point most as the character's do; all joints are aligned
+    character = 4  // local rotations are copied
+};
+
+// A joint and the part of a human body that it is, as VRM names them: leftUpperLeg.
+using HumanBone = std::pair<std::string, uint32_t>;
+
 // automatic: channels if the skeletons agree and whole clips are wanted without closing.
 enum class Mode : uint8_t { automatic = 0, channels = 1, motion = 2 };
 
@@ -49,11 +61,14 @@ enum class RootTravel : uint8_t {
 };
 
 struct Options {
-    std::vector<JointPair> joints;    // empty: joints with equal names
+    std::vector<JointPair> joints;    // empty: joints with equal names, or equal parts of a human body
     std::vector<Follower> followers;  // for transferred motion
     std::vector<std::string> clips;   // of the source; empty: all
     std::string prefix;               // of the names of added clips
     Mode mode = Mode::automatic;
+    SourceRest rest = SourceRest::automatic;
+    uint32_t rest_frame = 0;
+    std::vector<HumanBone> target_bones, source_bones;  // of files that say them; empty: the names tell
     // The members below are for transferred motion.
     RootTravel travel = RootTravel::in_place;
     double rate_hz = 30;                                                  // rate of the keys
@@ -67,7 +82,8 @@ struct Report {
     uint32_t joint_count = 0;     // count of bound joints
     std::vector<uint32_t> clips;  // indices in the source; they are the last clips of the target, in order
     std::vector<std::pair<uint32_t, uint32_t>> joints;  // bound joints: source, target
-    std::vector<std::string> warnings;                  // what was not bound, by name and count
+    std::vector<std::string>
+        warnings;  // joints that are not bound, choices that are not certain, poses that look wrong
 };
 
 // Adds clips to the target. If it throws the target is unchanged; base::Error with CLQ_ARGUMENT (nothing matches, a

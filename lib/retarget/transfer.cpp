@@ -6,10 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
-#include "lib/retarget/alignment.h"
 #include "lib/retarget/followers.h"
 #include "lib/retarget/new_clips.h"
+#include "lib/retarget/pose_check.h"
 #include "lib/retarget/source_pose.h"
+#include "lib/retarget/source_rest.h"
 
 namespace claque::retarget
 {
@@ -30,14 +31,14 @@ class Transfer
 {
 public:
     Transfer(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
-             const SkeletonAlignment &alignment, const Options &options)
+             const RestChoice &rest, const Options &options)
         : target_(target),
           source_(source),
           matches_(matches),
-          alignment_(alignment),
+          rest_(rest),
+          alignment_(rest.alignment),
           options_(options),
           rest_t_(rest_pose(target)),
-          rest_s_(rest_pose(source)),
           match_of_(target.node_count(), none),
           follower_bindings_(match_followers(target, matches, options))
     {
@@ -45,11 +46,12 @@ public:
         find_soles();
     }
 
-    void run(uint32_t clip, NewClips &added)
+    void run(uint32_t clip, NewClips &added, PoseCheck &check)
     {
         Keys keys = sample_keys(clip);
         if (options_.travel == RootTravel::in_place) remove_travel(keys);
         place_on_ground(keys);
+        look(clip, keys, check);
         const std::vector<std::vector<glm::dquat>> locals = locals_of(keys);
         write(keys, locals, added);
     }
@@ -91,7 +93,7 @@ private:
             keys.positions.emplace_back();
             for (uint32_t i = 0; i < matches_.size(); ++i) {
                 const JointMatch &m = matches_[i];
-                const glm::dquat turned = pose.rotation(m.source) * glm::conjugate(rest_s_.rotations[m.source]);
+                const glm::dquat turned = pose.rotation(m.source) * glm::conjugate(rest_.rotations[i]);
                 keys.rotations.back().push_back(alignment_.axes * turned * glm::conjugate(alignment_.axes) *
                                                 alignment_.aligned[i] * rest_t_.rotations[m.target]);
                 keys.positions.back().push_back(alignment_.scale * (alignment_.axes * pose.position(m.source)));
@@ -153,6 +155,21 @@ private:
         const double gap = gaps[gaps.size() / 8];
         for (auto &positions : keys.positions)
             for (glm::dvec3 &position : positions) position.y -= gap;
+    }
+
+    // At the first key, the middle one and the last.
+    void look(uint32_t clip, const Keys &keys, PoseCheck &check) const
+    {
+        const size_t last = keys.times_s.size() - 1;
+        for (const size_t k : {size_t(0), last / 2, last}) {
+            const std::vector<glm::dvec3> nodes = posed(keys.rotations[k], keys.positions[k]);
+            std::vector<glm::dvec3> own, wanted;
+            for (uint32_t i = 0; i < matches_.size(); ++i) {
+                own.push_back(nodes[matches_[i].target]);
+                wanted.push_back(rest_.upright * (glm::conjugate(alignment_.axes) * keys.positions[k][i]));
+            }
+            check.look(clip, keys.times_s[k], own, wanted);
+        }
     }
 
     // Local rotations of the matches, then of the followers.
@@ -246,9 +263,10 @@ private:
 
     const model::Rig &target_, &source_;
     const std::vector<JointMatch> &matches_;
+    const RestChoice &rest_;
     const SkeletonAlignment &alignment_;
     const Options &options_;
-    GlobalPose rest_t_, rest_s_;
+    GlobalPose rest_t_;
     std::vector<uint32_t> match_of_;  // [nodes of the target]
     std::vector<FollowerBinding> follower_bindings_;
     std::vector<uint32_t> soles_;
@@ -257,9 +275,9 @@ private:
 }  // namespace
 
 void transfer(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches,
-              const SkeletonAlignment &alignment, const Options &options, uint32_t clip, NewClips &added)
+              const RestChoice &rest, const Options &options, uint32_t clip, NewClips &added, PoseCheck &check)
 {
-    Transfer(target, source, matches, alignment, options).run(clip, added);
+    Transfer(target, source, matches, rest, options).run(clip, added, check);
 }
 
 }  // namespace claque::retarget

@@ -27,13 +27,14 @@ JointMap map_of(const ClipArguments &a)
 
 CLI::Option *add_clip_files(CLI::App &command, ClipArguments &a)
 {
-    CLI::Option *files = command
-                             .add_option("--clips", a.files,
-                                         "Add the clips of this file, bound by joint name: glTF, GLB, BVH, or the name "
-                                         "of a built-in character (may repeat)")
-                             ->type_name("FILE")
-                             ->expected(1)
-                             ->take_all();
+    CLI::Option *files =
+        command
+            .add_option("--clips", a.files,
+                        "Add the clips of this file, bound by joint name: glTF, GLB, VRM Animation, BVH, "
+                        "or the name of a built-in character (may repeat)")
+            ->type_name("FILE")
+            ->expected(1)
+            ->take_all();
     command
         .add_option("--map", a.map,
                     "Map (TOML) that binds joints of the clips to joints of the character and says how clips are read")
@@ -88,6 +89,8 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     def.clips = clips.data();
     def.clip_count = static_cast<uint32_t>(clips.size());
     def.prefix = map.prefix.c_str();
+    def.rest = map.rest;
+    def.rest_frame = map.rest_frame;
     def.travel = map.travel;
     def.rate_hz = static_cast<float>(map.rate_hz);
     def.start_s = static_cast<float>(map.start_s);

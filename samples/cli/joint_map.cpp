@@ -11,6 +11,20 @@ namespace
 
 constexpr scenes::Limits seconds_key = {0, 1e6};
 
+// "file", "bones", "character" or "frame:12".
+void read_rest(scenes::TomlTable &all, JointMap &map)
+{
+    const std::string text = all.text("rest"), frame = "frame:";
+    const std::string digits = text.rfind(frame, 0) == 0 ? text.substr(frame.size()) : "";
+    if (text == "file") map.rest = CLQ_SOURCE_REST_FILE;
+    else if (text == "bones") map.rest = CLQ_SOURCE_REST_BONES;
+    else if (text == "character") map.rest = CLQ_SOURCE_REST_CHARACTER;
+    else if (!digits.empty() && digits.size() < 10 && digits.find_first_not_of("0123456789") == std::string::npos) {
+        map.rest = CLQ_SOURCE_REST_FRAME;
+        map.rest_frame = static_cast<uint32_t>(std::stoul(digits));
+    } else all.refuse("has the rest '" + text + "'; allowed are: file, bones, character, frame:0", "rest");
+}
+
 void read_options(scenes::TomlTable &all, JointMap &map)
 {
     if (all.has("unit_m")) map.unit_m = all.number("unit_m", {1e-6, 1e6});
@@ -20,6 +34,7 @@ void read_options(scenes::TomlTable &all, JointMap &map)
     if (all.has("start_s")) map.start_s = all.number("start_s", seconds_key);
     if (all.has("end_s")) map.end_s = all.number("end_s", seconds_key);
     if (all.has("close_s")) map.close_s = all.number("close_s", seconds_key);
+    if (all.has("rest")) read_rest(all, map);
     if (all.has("travel") && !travel_named(all.text("travel"), map.travel))
         all.refuse("has the travel '" + all.text("travel") + "'; allowed are: in-place, keep", "travel");
 }

@@ -21,6 +21,8 @@ struct JointMap {
     std::vector<std::string> clips;  // none: all
     std::string prefix;
     double unit_m = 0;  // of BVH files; 0: 1
+    clq_source_rest rest = CLQ_SOURCE_REST_AUTOMATIC;
+    uint32_t rest_frame = 0;
     clq_root_travel travel = CLQ_ROOT_TRAVEL_IN_PLACE;
     double rate_hz = 0, start_s = 0, end_s = 0, close_s = 0;
 };

@@ -85,6 +85,9 @@ TEST_F(AssetEdits, ClipsThatCannotBeTakenAreRefused)
     wrong("a follower's joint or leader is NULL", with_follower);
     wrong("mode is 3: 0 to 2 are known", [](clq_clips_def &def) { def.mode = static_cast<clq_retarget_mode>(3); });
     wrong("travel is 2: 0 to 1 are known", [](clq_clips_def &def) { def.travel = static_cast<clq_root_travel>(2); });
+    wrong("rest is 5: 0 to 4 are known", [](clq_clips_def &def) { def.rest = static_cast<clq_source_rest>(5); });
+    wrong("the skeleton is to rest as in frame 999, and clip 'stand' has the frames 0 to",
+          [](clq_clips_def &def) { def.rest = CLQ_SOURCE_REST_FRAME, def.rest_frame = 999; });
     const auto in_motion = [](auto change) {
         return [change](clq_clips_def &def) {
             def.mode = CLQ_RETARGET_MOTION;

@@ -168,6 +168,10 @@ TEST_F(Clips, ThatAreInvalidAreRefusedInOneSentence)
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("hand_l"), std::string::npos);
     write("bad.toml", "travel = \"fly\"\n[joints]\nHips = \"pelvis\"\n");
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("fly"), std::string::npos);
+    write("bad.toml", "rest = \"sofa\"\n[joints]\nHips = \"pelvis\"\n");
+    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("frame:0"), std::string::npos);
+    write("bad.toml", "rest = \"frame:11\"\n[joints]\nHips = \"pelvis\"\n");
+    EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("0 to 10"), std::string::npos);
     write("bad.toml", "[follow]\nskirt_front_l = \"shin_l\"\n[joints]\nHips = \"pelvis\"\n");
     EXPECT_NE(failure({"citizen", "--clips", bvh, "--map", path("bad.toml")}).find("shin_l"), std::string::npos);
     write("bad.toml", "[joints\n");

@@ -42,6 +42,8 @@ retarget::Options options_of(const clq_clips_def &def)
     }
     out.prefix = api::name_of(def.prefix);
     out.mode = enum_of<retarget::Mode>(def.mode, 3, "mode");
+    out.rest = enum_of<retarget::SourceRest>(def.rest, 5, "rest");
+    out.rest_frame = def.rest_frame;
     out.travel = enum_of<retarget::RootTravel>(def.travel, 2, "travel");
     if (def.rate_hz != 0) out.rate_hz = static_cast<double>(def.rate_hz);
     out.start_s = static_cast<double>(def.start_s);
@@ -113,7 +115,8 @@ clq_status clq_asset_add_clips(clq_context *context, clq_asset *asset, const clq
         api::require(asset != source, "the source of clips is the asset itself");
         if (out_report) api::require_size(*out_report, "clq_clips_report_init");
         const clq_clips_def wanted = api::read_def(def, clq_clips_def_init, "clq_clips_def_init");
-        const retarget::Options options = options_of(wanted);
+        retarget::Options options = options_of(wanted);
+        options.target_bones = asset->model.human_bones, options.source_bones = source->model.human_bones;
         const std::string prefix = "clips of '" + source->model.name + "' for '" + asset->model.name + "': ";
         try {
             const size_t warnings = asset->model.warnings.size();

@@ -43,7 +43,8 @@ TEST(Alignment, TurnsASkeletonOfEachOrientationBack)
         retarget::GlobalPose source, target;
         source.positions = places;
         for (const glm::dvec3 &place : places) target.positions.push_back(turned * place + glm::dvec3(3, -2, 5));
-        const retarget::SkeletonAlignment found = retarget::align_skeletons(matches, target, source);
+        const retarget::SkeletonAlignment found =
+            retarget::align_skeletons(matches, target, source, retarget::common_axes(matches, target, source));
         EXPECT_NEAR(found.scale, 1, 1e-12);
         for (int k = 0; k < 3; ++k) {
             glm::dvec3 axis(0);

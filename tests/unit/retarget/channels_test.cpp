@@ -109,6 +109,11 @@ TEST(Channels, AreNotTakenWhereTheRestPosesDifferByMoreThanALittle)
     EXPECT_EQ(retarget::add_clips(lower_arms, dancer(), {}).mode, retarget::Mode::motion);
     EXPECT_EQ(retarget::add_clips(larger, dancer(), {}).mode, retarget::Mode::motion);
     EXPECT_EQ(retarget::add_clips(nearly, dancer(), {}).mode, retarget::Mode::channels);
+    // The allowance grows with the skeleton, not with its distance from the origin.
+    model::Rig source = dancer(), far = rig_of(person(1, 0));
+    source.rest[0].translation.y = far.rest[0].translation.y = 50;
+    far.rest[far.find_node("foot.l")].translation.z += 0.03f;
+    EXPECT_EQ(retarget::add_clips(far, source, {}).mode, retarget::Mode::motion);
     retarget::Options part;
     part.end_s = 0.5;
     EXPECT_EQ(retarget::add_clips(nearly, dancer(), part).mode, retarget::Mode::motion);

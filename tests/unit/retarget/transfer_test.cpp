@@ -129,6 +129,37 @@ TEST(Transfer, AxesAndScalesAboveTheTargetDoNotShow)
     }
 }
 
+namespace
+{
+
+// The same under a node on the ground, as exporters add it.
+model::Rig in_armature(const model::Rig &body)
+{
+    model::Rig out(body, std::pmr::get_default_resource());
+    out.parents.insert(out.parents.begin(), model::none);
+    for (size_t i = 1; i < out.parents.size(); ++i)
+        out.parents[i] = out.parents[i] == model::none ? 0 : out.parents[i] + 1;
+    out.rest.insert(out.rest.begin(), math::Trs());
+    out.node_names.emplace(out.node_names.begin(), "Armature");
+    for (model::Channel &channel : out.channels) ++channel.node;
+    return out;
+}
+
+}  // namespace
+
+TEST(Transfer, AnArmatureOfEqualNamesDoesNotTakeTheHipsPath)
+{
+    const model::Rig source = in_armature(source_of(1, 0));
+    std::vector<Bone> bones = person(2, 0);
+    bones[1].offset.z += 0.1f;  // no copy
+    model::Rig target = in_armature(rig_of(bones));
+    EXPECT_EQ(retarget::add_clips(target, source, motion_at_keys()).joint_count, 15u);
+    const auto path = [](const model::Rig &rig, uint32_t k) {
+        return posed(rig, 0, k).of(rig, "hips") - posed(rig, 0, 0).of(rig, "hips");
+    };
+    for (uint32_t k = 0; k < 12; ++k) EXPECT_LT(glm::distance(path(target, k), 2.0 * path(source, k)), 1e-5);
+}
+
 TEST(Transfer, UnboundJointsRestAndHangOnWhatMoves)
 {
     const model::Rig source = source_of(1, 0);

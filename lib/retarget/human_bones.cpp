@@ -1,0 +1,176 @@
+#include "lib/retarget/human_bones.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <string_view>
+
+namespace claque::retarget
+{
+
+using model::none;
+
+namespace
+{
+
+struct Body {
+    std::map<std::string, uint32_t> bones;  // by VRM's names, without those of spine and neck
+    std::vector<uint32_t> spine, neck;      // upwards
+};
+
+bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
+bool ends(std::string_view text, std::string_view part)
+{
+    return text.size() >= part.size() && text.substr(text.size() - part.size()) == part;
+}
+bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// Lower case without separators, and without what stands before a colon.
+std::string plain(std::string_view name)
+{
+    std::string out;
+    for (const char c : name)
+        if (c == ':') out.clear();
+        else if (is_alnum(c)) out.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+    return out;
+}
+
+// "left", "right" or "". A side is a word ("LeftFoot") or a letter that stands alone ("foot.L", "l_foot", "FootL").
+std::string side_of(std::string_view name, std::string_view plain_name)
+{
+    if (has(plain_name, "left")) return "left";
+    if (has(plain_name, "right")) return "right";
+    for (size_t i = 0; i < name.size(); ++i) {
+        const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+        if (c != 'l' && c != 'r') continue;
+        const bool last = i + 1 == name.size();
+        const bool begins = i == 0 || !is_alnum(name[i - 1]) ||
+                            (last && name[i] != c && std::islower(static_cast<unsigned char>(name[i - 1])) != 0);
+        if (begins && (last || !is_alnum(name[i + 1]))) return c == 'l' ? "left" : "right";
+    }
+    return "";
+}
+
+bool has_any(std::string_view text, std::initializer_list<const char *> parts)
+{
+    return std::any_of(parts.begin(), parts.end(), [&](const char *part) { return has(text, part); });
+}
+
+// The part of a limb as VRM names it, without its side; "" for others, such as fingers and controls.
+std::string limb_of(std::string_view p)
+{
+    if (has_any(p, {"twist", "ik", "pole", "roll", "control", "ctrl", "target", "end", "helper", "nub", "thumb",
+                    "index", "middle", "ring", "pinky", "little", "finger", "skirt"}))
+        return "";
+    if (has_any(p, {"thigh", "upleg", "upperleg", "legupper"})) return "UpperLeg";
+    if (has_any(p, {"shin", "calf", "lowerleg", "leglower"})) return "LowerLeg";
+    if (has_any(p, {"toe", "ball"})) return "Toes";
+    if (has_any(p, {"foot", "ankle"})) return "Foot";
+    if (has_any(p, {"clavicle", "collar", "shoulder"})) return "Shoulder";
+    if (has_any(p, {"forearm", "lowerarm", "armlower", "elbow"})) return "LowerArm";
+    if (has_any(p, {"upperarm", "armupper", "uparm"})) return "UpperArm";
+    if (has_any(p, {"wrist", "hand", "palm"})) return "Hand";
+    if (p == "leftleg" || p == "rightleg" || p == "legl" || p == "legr") return "LowerLeg";  // as Mixamo
+    if (p == "leftarm" || p == "rightarm" || p == "arml" || p == "armr") return "UpperArm";
+    return "";
+}
+
+bool is_below(const model::Rig &rig, uint32_t node, uint32_t above)
+{
+    while (node != none && node != above) node = rig.parents[node];
+    return node == above;
+}
+
+void add_middle(const model::Rig &rig, uint32_t node, std::string_view p, Body &body)
+{
+    if (has_any(p, {"end", "nub", "top", "ik", "control", "ctrl", "twist"})) return;
+    if (ends(p, "hips") || ends(p, "pelvis") || p == "hip") {
+        body.bones.emplace("hips", node);
+        return;
+    }
+    const auto hips = body.bones.find("hips");
+    if (hips == body.bones.end() || !is_below(rig, node, hips->second)) return;
+    const auto extend = [&](std::vector<uint32_t> &chain) {
+        if (chain.empty() || is_below(rig, node, chain.back())) chain.push_back(node);
+    };
+    if (has(p, "head")) body.bones.emplace("head", node);
+    else if (has(p, "neck")) extend(body.neck);
+    else if (has_any(p, {"spine", "chest", "torso", "abdomen", "waist", "lowerback"})) extend(body.spine);
+}
+
+Body body_of(const model::Rig &rig, const std::vector<HumanBone> &listed)
+{
+    Body body;
+    for (const char *part : {"spine", "chest", "upperChest"})
+        for (const HumanBone &bone : listed)
+            if (bone.first == part) body.spine.push_back(bone.second);
+    for (const HumanBone &bone : listed)
+        if (bone.first == "neck") body.neck.push_back(bone.second);
+        else if (std::find(body.spine.begin(), body.spine.end(), bone.second) == body.spine.end())
+            body.bones.emplace(bone.first, bone.second);
+    if (!listed.empty()) return body;
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const std::string name = plain(rig.node_names[i]), side = side_of(rig.node_names[i], name);
+        if (side.empty()) add_middle(rig, i, name, body);
+        else if (const std::string limb = limb_of(name); !limb.empty()) body.bones.emplace(side + limb, i);
+    }
+    return body;
+}
+
+// Binds the ends of two chains, and between them as many joints as the shorter has. Of one joint the last.
+void bind_chain(const std::vector<uint32_t> &target, const std::vector<uint32_t> &source, std::vector<JointMatch> &out)
+{
+    const size_t count = std::min(target.size(), source.size());
+    for (size_t i = 0; i < count; ++i) {
+        const auto at = [&](const std::vector<uint32_t> &chain) {
+            if (count == 1) return chain.back();
+            return chain[(2 * i * (chain.size() - 1) + count - 1) / (2 * (count - 1))];
+        };
+        out.push_back({at(source), at(target), RestAlignment::keep, none});
+    }
+}
+
+// The topmost joints of skirts, which no clip of another skeleton moves.
+std::vector<Follower> skirts(const model::Rig &rig, const Body &body)
+{
+    std::vector<Follower> out;
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const std::string name = plain(rig.node_names[i]), side = side_of(rig.node_names[i], name);
+        const uint32_t parent = rig.parents[i];
+        if (side.empty() || !has(name, "skirt") || (parent != none && has(plain(rig.node_names[parent]), "skirt")))
+            continue;
+        const std::string joint(rig.node_names[i]);
+        for (const char *leg : {"left", "right"})
+            out.push_back({joint, std::string(rig.node_names[body.bones.at(std::string(leg) + "UpperLeg")]),
+                           side == leg ? 0.9 : 0.4});
+    }
+    return out;
+}
+
+}  // namespace
+
+HumanBinding bind_human(const model::Rig &target, const model::Rig &source, const Options &options)
+{
+    const Body own = body_of(target, options.target_bones), other = body_of(source, options.source_bones);
+    const auto earlier = [](const JointMatch &a, const JointMatch &b) { return a.target < b.target; };
+    const auto same = [](const JointMatch &a, const JointMatch &b) { return a.target == b.target; };
+    HumanBinding out;
+    for (const char *bone : {"hips", "leftUpperLeg", "leftLowerLeg", "rightUpperLeg", "rightLowerLeg"})
+        if (own.bones.count(bone) == 0 || other.bones.count(bone) == 0) return out;
+    for (const auto &[bone, node] : own.bones) {
+        const auto found = other.bones.find(bone);
+        if (found == other.bones.end()) continue;
+        const bool limb = has_any(bone, {"UpperArm", "LowerArm", "UpperLeg", "LowerLeg"}) || ends(bone, "Hand");
+        out.matches.push_back({found->second, node, limb ? RestAlignment::align : RestAlignment::keep, none});
+    }
+    bind_chain(own.spine, other.spine, out.matches);
+    bind_chain(own.neck, other.neck, out.matches);
+    // A file may list a joint twice.
+    std::stable_sort(out.matches.begin(), out.matches.end(), earlier);
+    out.matches.erase(std::unique(out.matches.begin(), out.matches.end(), same), out.matches.end());
+    if (out.matches.size() < 10) return {};
+    out.followers = skirts(target, own);
+    return out;
+}
+
+}  // namespace claque::retarget

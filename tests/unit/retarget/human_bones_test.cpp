@@ -1,0 +1,217 @@
+// Skeletons of people with other names are bound as bodies: by the names of the usual programs, or by the bones that
+// VRM files list.
+#include "lib/retarget/human_bones.h"
+
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "lib/asset/gltf.h"
+#include "lib/retarget/retarget.h"
+#include "resting_rigs.h"
+#include "tests/support/gltf_maker.h"
+#include "tests/support/written_motion.h"
+
+namespace claque::testing
+{
+namespace
+{
+
+using Names = std::map<std::string, std::string>;  // of joints of a body
+
+// As those programs write them, and as claque does.
+const std::vector<std::pair<const char *, Names>> &conventions()
+{
+    static const std::vector<std::pair<const char *, std::vector<std::string>>> rows = {
+        {"claque", {"pelvis", "spine", "head", "upper_arm_l", "forearm_l", "hand_l", "thigh_l", "shin_l", "foot_l"}},
+        {"Mixamo",
+         {"mixamorig:Hips", "mixamorig:Spine", "mixamorig:Head", "mixamorig:LeftArm", "mixamorig:LeftForeArm",
+          "mixamorig:LeftHand", "mixamorig:LeftUpLeg", "mixamorig:LeftLeg", "mixamorig:LeftFoot"}},
+        {"LAFAN1", {"Hips", "Spine", "Head", "LeftArm", "LeftForeArm", "LeftHand", "LeftUpLeg", "LeftLeg", "LeftFoot"}},
+        {"Bandai-Namco",
+         {"Hips", "Spine", "Head", "UpperArm_L", "LowerArm_L", "Hand_L", "UpperLeg_L", "LowerLeg_L", "Foot_L"}},
+        {"Unreal", {"pelvis", "spine_01", "head", "upperarm_l", "lowerarm_l", "hand_l", "thigh_l", "calf_l", "foot_l"}},
+        {"KayKit",
+         {"hips", "spine", "head", "upperarm.l", "lowerarm.l", "wrist.l", "upperleg.l", "lowerleg.l", "foot.l"}},
+        {"VRoid",
+         {"J_Bip_C_Hips", "J_Bip_C_Spine", "J_Bip_C_Head", "J_Bip_L_UpperArm", "J_Bip_L_LowerArm", "J_Bip_L_Hand",
+          "J_Bip_L_UpperLeg", "J_Bip_L_LowerLeg", "J_Bip_L_Foot"}},
+        {"Biped",
+         {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Head", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand",
+          "Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot"}}};
+    const std::vector<std::string> parts = {"hips",  "spine", "head",  "arm.", "elbow.",
+                                            "hand.", "leg.",  "knee.", "foot."};
+    static const std::vector<std::pair<const char *, Names>> out = [&] {
+        std::vector<std::pair<const char *, Names>> made;
+        for (const auto &[program, names] : rows) {
+            Names one;
+            for (size_t i = 0; i < parts.size(); ++i) {
+                if (i < 3) one[parts[i]] = names[i];
+                else one[parts[i] + "l"] = names[i];
+                std::string right = names[i];
+                const size_t word = right.find("Left"), letter = right.find_last_of("lL");
+                if (word != std::string::npos) right.replace(word, 4, "Right");
+                else if (right.find("J_Bip_L") == 0) right[6] = 'R';
+                else if (right.find("Bip01 L") == 0) right[6] = 'R';
+                else if (letter != std::string::npos) right[letter] = right[letter] == 'l' ? 'r' : 'R';
+                if (i >= 3) one[parts[i] + "r"] = right;
+            }
+            made.emplace_back(program, one);
+        }
+        return made;
+    }();
+    return out;
+}
+
+model::Rig named(model::Rig rig, const Names &names)
+{
+    for (std::pmr::string &name : rig.node_names) name = names.at(std::string(name)).c_str();
+    return rig;
+}
+
+}  // namespace
+
+TEST(HumanBones, OfEachConventionMoveAPersonOfEachOther)
+{
+    for (const auto &[from, source_names] : conventions())
+        for (const auto &[to, target_names] : conventions()) {
+            const model::Rig clips = named(rig_with_motion(person(1, 0)), source_names);
+            model::Rig target = named(rig_of(person(1, 0)), target_names);
+            const retarget::Report report = retarget::add_clips(target, clips, {});
+            EXPECT_EQ(report.joint_count, 15u) << from << " to " << to;
+            for (uint32_t k = 0; k < 12; ++k)
+                for (uint32_t i = 0; i < target.node_count(); ++i)
+                    EXPECT_LT(glm::distance(posed(clips, 0, k).places[i], posed(target, 0, k).places[i]), 1e-5)
+                        << from << " to " << to << " " << target.node_names[i];
+        }
+}
+
+TEST(HumanBones, AreNotGuessedForBodiesWithoutLegs)
+{
+    std::vector<Bone> bones;
+    for (const Bone &bone : person(1, 0))
+        if (std::string(bone.name).find("knee") != 0 && std::string(bone.name).find("foot") != 0) bones.push_back(bone);
+    const Names names = conventions()[1].second;
+    const model::Rig source = named(rig_with_motion(bones), names),
+                     target = named(rig_of(bones), conventions()[3].second);
+    EXPECT_TRUE(retarget::bind_human(target, source, {}).matches.empty());
+}
+
+TEST(HumanBones, LetSkirtsFollowTheThighs)
+{
+    std::vector<Bone> bones = person(1, 0);
+    bones.push_back({"skirt_l", "hips", {0.1f, 0, 0.1f}});
+    Names names = conventions()[0].second;
+    names["skirt_l"] = "skirt_l";
+    const retarget::HumanBinding bound = retarget::bind_human(
+        named(rig_of(bones), names), named(rig_with_motion(person(1, 0)), conventions()[1].second), {});
+    ASSERT_EQ(bound.followers.size(), 2u);
+    EXPECT_EQ(bound.followers[0].leader, "thigh_l");
+    EXPECT_EQ(bound.followers[1].leader, "thigh_r");
+    EXPECT_GT(bound.followers[0].share, bound.followers[1].share);
+}
+
+TEST(HumanBones, BindTheEndsOfSpinesOfOtherLengths)
+{
+    const auto with_spine = [](std::vector<std::string> spine, const Names &names) {
+        model::Rig rig = named(rig_with_motion(person(1, 0)), names);
+        // The spine of the body becomes the last joint, below new ones.
+        model::Rig out;
+        out.parents.push_back(model::none), out.rest.push_back(rig.rest[0]),
+            out.node_names.push_back(rig.node_names[0]);
+        for (const std::string &name : spine) {
+            out.parents.push_back(out.node_count() - 1);
+            out.rest.emplace_back();
+            out.node_names.emplace_back(name.c_str());
+        }
+        const uint32_t more = static_cast<uint32_t>(spine.size()) - 1;
+        for (uint32_t i = 2; i < rig.node_count(); ++i) {
+            out.parents.push_back(rig.parents[i] == 0 ? 0 : rig.parents[i] + more);
+            out.rest.push_back(rig.rest[i]);
+            out.node_names.push_back(rig.node_names[i]);
+        }
+        return out;
+    };
+    const model::Rig target = with_spine({"spine", "spine_upper", "chest"}, conventions()[0].second);
+    const auto bound = [&](const std::vector<std::string> &spine) {
+        const model::Rig source = with_spine(spine, conventions()[2].second);
+        std::map<std::string, std::string> out;
+        for (const retarget::JointMatch &match : retarget::bind_human(target, source, {}).matches)
+            out[std::string(target.node_names[match.target])] = std::string(source.node_names[match.source]);
+        return out;
+    };
+    auto three = bound({"LowerBack", "Spine", "Spine1"});
+    EXPECT_EQ(three["spine"], "LowerBack");
+    EXPECT_EQ(three["spine_upper"], "Spine");
+    EXPECT_EQ(three["chest"], "Spine1");
+    auto five = bound({"Spine", "Spine1", "Spine2", "Spine3", "Chest"});
+    EXPECT_EQ(five["spine"], "Spine");
+    EXPECT_EQ(five["spine_upper"], "Spine2");
+    EXPECT_EQ(five["chest"], "Chest");
+    auto two = bound({"Spine", "Chest"});
+    EXPECT_EQ(two["spine"], "Spine");
+    EXPECT_EQ(two["chest"], "Chest");
+    EXPECT_EQ(two.count("spine_upper"), 0u);
+    auto single = bound({"Spine"});
+    EXPECT_EQ(single["chest"], "Spine");
+    EXPECT_EQ(single.count("spine"), 0u);
+}
+
+namespace
+{
+
+// The joints of person() as nodes without telling names, with a bow of the spine, and bones by `extension`.
+Bytes vrm(const char *extension, bool as_list)
+{
+    static const Names bones = {{"hips", "hips"},           {"spine", "spine"},           {"head", "head"},
+                                {"arm.l", "leftUpperArm"},  {"elbow.l", "leftLowerArm"},  {"hand.l", "leftHand"},
+                                {"arm.r", "rightUpperArm"}, {"elbow.r", "rightLowerArm"}, {"hand.r", "rightHand"},
+                                {"leg.l", "leftUpperLeg"},  {"knee.l", "leftLowerLeg"},   {"foot.l", "leftFoot"},
+                                {"leg.r", "rightUpperLeg"}, {"knee.r", "rightLowerLeg"},  {"foot.r", "rightFoot"}};
+    Maker maker;
+    const std::vector<Bone> body = person(1, 0);
+    Json listed = as_list ? Json::array() : Json::object();
+    for (size_t i = 0; i < body.size(); ++i) {
+        Json node = {{"name", std::string(1, static_cast<char>('A' + static_cast<int>(i)))},
+                     {"translation", {body[i].offset.x, body[i].offset.y, body[i].offset.z}}};
+        for (size_t k = 0; k < body.size(); ++k)
+            if (std::string(body[k].parent) == body[i].name) node["children"].push_back(k);
+        maker.add("nodes", node);
+        if (as_list) listed.push_back({{"bone", bones.at(body[i].name)}, {"node", i}});
+        else listed[bones.at(body[i].name)] = {{"node", i}};
+    }
+    // Left out: nodes that are none, and other kinds of values.
+    if (as_list)
+        listed.push_back({{"bone", "jaw"}, {"node", -1}}), listed.push_back(7), listed.push_back({{"bone", 3}});
+    else listed["jaw"] = {{"node", 99}}, listed["leftEye"] = "none", listed["rightEye"] = Json::object();
+    maker.json["scenes"] = Json::array({{{"nodes", {0}}}});
+    maker.json["extensionsUsed"] = Json::array({extension});
+    maker.json["extensions"][extension]["humanoid"]["humanBones"] = listed;
+    ClipMaker clip(maker, "bow");
+    clip.add(1, "rotation", "LINEAR", times_from(0, 0.5f, 3), turns({1, 0, 0}, {0, 40, 10}));
+    clip.finish();
+    return maker.glb();
+}
+
+}  // namespace
+
+TEST(HumanBones, AreReadFromEachExtensionOfVrm)
+{
+    for (const auto &[extension, as_list] : std::vector<std::pair<const char *, bool>>{
+             {"VRMC_vrm_animation", false}, {"VRMC_vrm", false}, {"VRM", true}}) {
+        const Bytes bytes = vrm(extension, as_list);
+        const model::Model model = asset::load_gltf(bytes.data(), bytes.size(), {});
+        ASSERT_EQ(model.human_bones.size(), 15u) << extension;
+        retarget::Options options;
+        options.source_bones = model.human_bones;
+        model::Rig target = named(rig_of(person(1, 0)), conventions()[0].second);
+        const retarget::Report report = retarget::add_clips(target, model.rig, options);
+        EXPECT_EQ(report.joint_count, 15u) << extension;
+        // The head is 0.4 m above the joint that bows, which is 0.2 m above the hips.
+        const double bowed = 40 * 0.01745329251994;
+        const glm::dvec3 head = posed(target, 0, 1).of(target, "head") - posed(target, 0, 1).of(target, "pelvis");
+        EXPECT_LT(glm::distance(head, glm::dvec3(0, 0.2 + 0.4 * std::cos(bowed), 0.4 * std::sin(bowed))), 1e-5);
+    }
+}
+
+}  // namespace claque::testing
