@@ -88,6 +88,30 @@ TEST(PoseCheck, NamesTheAlignmentWhereArmsEndInTheTrunk)
     EXPECT_EQ(one(warnings_of(source, person(1, 75), aligned_arms())), "") << "the remedy";
 }
 
+TEST(PoseCheck, NamesTheRestWhereNoFootStandsThatStandsInTheClip)
+{
+    // The legs rest ahead in the file, as on a chair, and hang in the clip: they would turn back from straight down.
+    std::vector<Bone> sits = person(1, 80);
+    for (Bone &bone : sits)
+        if (std::string(bone.name).find("knee") == 0 || std::string(bone.name).find("foot") == 0)
+            bone.offset = glm::vec3(0, 0.2f, -bone.offset.y);
+    Acted stands = walker(12);
+    stands.turn = [](const std::string &joint, uint32_t) {
+        return joint.find("leg") == 0 || joint.find("knee") == 0 || joint.find("foot") == 0 ? turned({1, 0, 0}, 110)
+                                                                                            : glm::dquat(1, 0, 0, 0);
+    };
+    const model::Rig source = acted_rig(
+        sits, stands, 0, [](uint32_t) { return glm::dquat(1, 0, 0, 0); }, true);
+    retarget::Options options;
+    options.rest = retarget::SourceRest::file;
+    const std::string lifted = one(warnings_of(source, person(1, 80), options));
+    EXPECT_NE(lifted.find("above the lowest joint, unlike in the clips' own skeleton: rest = \"bones\""),
+              std::string::npos)
+        << lifted;
+    options.rest = retarget::SourceRest::bones;
+    EXPECT_EQ(one(warnings_of(source, person(1, 80), options)), "") << "the remedy";
+}
+
 TEST(PoseCheck, CountsTheClipsThatAreAlike)
 {
     model::Rig source = in_t_pose(walker(12));
