@@ -215,7 +215,8 @@ typedef enum clq_source_rest {
     CLQ_SOURCE_REST_AUTOMATIC = 0,
     CLQ_SOURCE_REST_FILE = 1,  /* the file's rest pose */
     CLQ_SOURCE_REST_FRAME = 2, /* the pose of the key rest_frame of the first clip that is taken */
-    /* The pose of a clip in which the bones point most as the character's do; all joints are CLQ_REST_ALIGN. */
+    /* The pose of a clip in which the bones point most as the character's do. All joints are CLQ_REST_ALIGN but those
+     * of a trunk that stands in it. */
     CLQ_SOURCE_REST_BONES = 3,
     CLQ_SOURCE_REST_CHARACTER = 4 /* the character's: local rotations are copied, whatever the rest of the file is */
 } clq_source_rest;

@@ -44,7 +44,7 @@ enum class SourceRest : uint8_t {
     automatic = 0,  // source_rest.h
     file = 1,
     frame = 2,     // a key of the first clip
-    bones = 3,     // the pose of a clip in which the bones point most as the character's do; all joints are aligned
+    bones = 3,     // the pose of a clip in which the bones point most as the character's do; limbs are aligned
     character = 4  // local rotations are copied
 };
 

@@ -102,11 +102,13 @@ public:
     RestChoice of_bones(uint32_t key) const
     {
         const GlobalPose pose = pose_at(time_of(key));
+        const glm::dquat axes = axes_of(pose);
         std::vector<JointMatch> aligned = matches_;
         for (JointMatch &match : aligned) match.rest = RestAlignment::align;
+        for (const uint32_t joint : upright_joints(pose, axes)) aligned[joint].rest = RestAlignment::keep;
         RestChoice out;
         out.kind = SourceRest::bones;
-        out.alignment = align_skeletons(aligned, own_, pose, axes_of(pose));
+        out.alignment = align_skeletons(aligned, own_, pose, axes);
         out.upright = out.alignment.axes;
         take_rotations(pose, out);
         return out;
@@ -186,6 +188,24 @@ private:
     void take_rotations(const GlobalPose &pose, RestChoice &out) const
     {
         for (const JointMatch &match : matches_) out.rotations.push_back(pose.rotations[match.source]);
+    }
+
+    // Returns the joints from the highest one at rest down to the root, below which no bone differs by 25 degrees: a
+    // trunk that stands keeps the posture of the character, whose spine and neck are bent in their own way.
+    std::vector<uint32_t> upright_joints(const GlobalPose &pose, const glm::dquat &axes) const
+    {
+        uint32_t joint = 0;
+        for (uint32_t i = 1; i < matches_.size(); ++i)
+            if (own_.positions[matches_[i].target].y > own_.positions[matches_[joint].target].y) joint = i;
+        std::vector<uint32_t> out = {joint};
+        for (uint32_t up = matches_[joint].above; up != none; joint = up, up = matches_[up].above) {
+            const glm::dvec3 own = own_.positions[matches_[joint].target] - own_.positions[matches_[up].target];
+            const glm::dvec3 other =
+                axes * (pose.positions[matches_[joint].source] - pose.positions[matches_[up].source]);
+            if (glm::dot(own, other) < 0.9 * glm::length(own) * glm::length(other)) return {};
+            out.push_back(up);
+        }
+        return out;
     }
 
     static glm::dquat above(const GlobalPose &pose, const model::Rig &rig, uint32_t node)

@@ -173,6 +173,24 @@ TEST(Rest, OfASkeletonAlongOneAxisFacesTheCharactersWayWhereverTheClipFaces)
     }
 }
 
+TEST(Rest, OfASkeletonAlongOneAxisLeavesATrunkThatStandsItsPosture)
+{
+    const auto with_neck = [](float lean) {
+        std::vector<Bone> bones = person(1, 0);
+        bones[2] = {"neck", "spine", {0, 0.2f, 0}};
+        bones.insert(bones.begin() + 3, {"head", "neck", {0, 0.2f, lean}});
+        return bones;
+    };
+    const model::Rig source = rig_along_x(walker(12), 0, with_neck(0));
+    for (const float lean : {0.05f, 0.2f}) {  // 14 and 45 degrees
+        model::Rig target = rig_of(with_neck(lean));
+        retarget::add_clips(target, source, resting(retarget::SourceRest::bones));
+        const glm::dvec3 head = posed(target, 0, 0).of(target, "head") - posed(target, 0, 0).of(target, "neck");
+        const double length = std::sqrt(0.04 + lean * lean);
+        EXPECT_LT(glm::distance(head, lean < 0.1f ? glm::dvec3(0, 0.2, lean) : glm::dvec3(0, length, 0)), 1e-4) << lean;
+    }
+}
+
 TEST(Rest, OfAFrameIsThePoseOfThatFrame)
 {
     const model::Rig source = rig_along_x(walker(12), 0);

@@ -110,9 +110,8 @@ inline model::Rig acted_rig(const std::vector<Bone> &bones, const Acted &acted, 
 
 // As LAFAN1 and Bandai-Namco write BVH: the x axis of each joint points to its first child, rotations of zero are no
 // pose.
-inline model::Rig rig_along_x(const Acted &acted, double away_deg)
+inline model::Rig rig_along_x(const Acted &acted, double away_deg, const std::vector<Bone> &bones = person(1, 0))
 {
-    const std::vector<Bone> bones = person(1, 0);
     std::vector<glm::dquat> frames;
     for (const Bone &bone : bones) {
         const auto child =
