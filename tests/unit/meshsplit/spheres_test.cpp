@@ -158,8 +158,8 @@ TEST(Spheres, HoldWhatBulgesOutBetweenTwoPoses)
 TEST(Spheres, HoldTheWholeArcBetweenAnyTwoPoses)
 {
     for (const float away : {4.0f, 20.0f})
-        for (int from = -160; from <= 160; from += 20)
-            for (const int turn : {-110, -50, 50, 110}) {
+        for (int from = -175; from <= 175; from += 10)
+            for (const int turn : {-110, -90, -50, 50, 90, 110}) {
                 model::Model m = empty_model();
                 m.parts.push_back(sheet_part(1, 1));
                 m.parts[0].material = model::none;
@@ -168,22 +168,22 @@ TEST(Spheres, HoldTheWholeArcBetweenAnyTwoPoses)
                 m.rig.node_names.emplace_back("still");
                 m.rig.palette.push_back({1, math::Affine()});
                 m.parts.push_back(m.parts[0]);
-                for (auto &p : m.parts[0].positions) p = p * 0.1f + glm::vec3(2, 0, 0);
-                for (auto &p : m.parts[1].positions) p = p * 0.1f + glm::vec3(-away, 0, 0);
+                for (auto &p : m.parts[0].positions) p = p * 0.02f + glm::vec3(-2, 0, 0);
+                for (auto &p : m.parts[1].positions) p = p * 0.02f + glm::vec3(-away, 0, 0);
                 m.parts[1].joints.assign(4, 1);
                 m.rig.clips.push_back({0, 1, 0, 1 / 60.0f});
                 m.rig.clip_names.emplace_back("whirl");
                 m.rig.times = {0, 1 / 60.0f};
                 for (const int degrees : {from, from + turn}) {
-                    const float half = 0.5f * 0.01745329f * float(degrees);
+                    const float half = 0.5f * 0.01745329f * float(degrees + 180);
                     m.rig.values.insert(m.rig.values.end(), {0.0f, 0.0f, std::sin(half), std::cos(half)});
                 }
                 m.rig.channels.push_back({0, model::ChannelTarget::rotation, model::Interpolation::linear, 4, 0, 2, 0});
                 const auto tmpl = built(m);
                 const model::Level &level = tmpl->levels[0];
                 pose::Workspace workspace(tmpl->rig);
-                for (int step = 0; step <= 60; ++step) {
-                    const auto palette = workspace.pose(0, step / 3600.0);
+                for (int step = 0; step <= 30; ++step) {
+                    const auto palette = workspace.pose(0, step / 1800.0);
                     for (uint32_t v = 0; v < level.source_count; ++v) {
                         const float *p = &level.positions[3 * v];
                         const glm::vec3 at = math::transform_point(palette[level.joints[v]], {p[0], p[1], p[2]});

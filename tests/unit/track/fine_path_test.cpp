@@ -126,7 +126,7 @@ TEST(FinePath, GoesThroughItsPointsOnCurvesWithoutCorners)
 TEST(FinePath, HasTheSpeedOfTheSamplesBesideEachAndNoneWhereItStands)
 {
     for (const uint32_t count : {1u, 3u, 5u, 30u}) {
-        track::FinePath path = path_of(count, [](uint32_t i) { return 0.05 * i * i; });
+        track::FinePath path = path_of(count, [](uint32_t i) { return number(i); });
         path.stands.assign(count, 0);
         if (count > 9) path.stands[9] = 1;
         track::measure_speed(path);
