@@ -101,6 +101,25 @@ TEST_F(StepsTest, CullRefpointsNeedsRoomForAllThatAreTested)
     is_refused(step(rows_ - 1), "no room for all that are tested");
 }
 
+TEST_F(StepsTest, StepsThatReadMotionsNeedThatOfEveryActorOnATrack)
+{
+    for (const uint32_t row : {3u, 5u}) scene_.crowd.tables.follows.make(row);
+    std::pmr::vector<track::Motion> all(2);
+    const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
+    for (const uint32_t count : {2u, 1u}) {
+        const base::Span<track::Motion> motions(all.data(), count);
+        const base::Span<const track::Motion> moved(all.data(), count);
+        const auto judge = [&](const auto &step) {
+            if (count == 2) fits(step);
+            else is_refused(step, "1 motions for 2 actors on tracks");
+        };
+        judge(FollowTracks{given_, tested, motions});
+        judge(CullRefpoints{given_, tested, moved, cut(work_.passed, rows_)});
+        judge(PlaceRoots{given_, moved, candidates(), work_.stats});
+        judge(ChooseLevels{given_, visibilities(), moved, 0, candidates(), rows()});
+    }
+}
+
 TEST_F(StepsTest, ListCandidatesNeedsAllThatAreTestedAndRoomForAllThatPassed)
 {
     const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
