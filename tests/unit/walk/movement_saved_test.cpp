@@ -1,4 +1,6 @@
 // A saved movement has the same future, and bytes that are none are refused.
+#include <cmath>
+#include <cstring>
 
 #include "tests/unit/walk/movement_fixture.h"
 
@@ -113,4 +115,50 @@ TEST_F(Movement, RefusesBytesThatAreNoMovement)
         } catch (const stage::Error &) {  // such as a walker of another size than its track
         }
     }
+}
+
+// A walker whose numbers are all different, so that each is found among the bytes by itself.
+TEST_F(Movement, RefusesEachNumberThatNoWalkerHas)
+{
+    const auto movement = make(), other = make();
+    stage::Walker one = walker(2.34375, 3.15625);
+    one.radius_m = 0.21875f, one.scale = 1.09375f, one.heading_rad = 0.59375;
+    movement->add(0, one, 0);
+    stage::Goal where = goal(5.46875, 4.28125, 7);
+    where.near_m = 0.78125f, where.speed_m_s = 1.28125f;
+    movement->go(0, where, 0);
+    run(*movement, 0, 1);
+    std::vector<uint8_t> bytes;
+    movement->save(bytes);
+    // How many of the places of a number refuse another one.
+    const auto refusals = [&](double number, double instead) {
+        int places = 0, refused = 0;
+        for (size_t at = 0; at + sizeof number <= bytes.size(); ++at) {
+            if (std::memcmp(&bytes[at], &number, sizeof number) != 0) continue;
+            std::vector<uint8_t> forged = bytes;
+            std::memcpy(&forged[at], &instead, sizeof instead);
+            ++places;
+            try {
+                other->restore(forged.data(), forged.size());
+            } catch (const stage::Error &error) {
+                EXPECT_EQ(error.status(), CLQ_FORMAT) << error.what();
+                ++refused;
+            }
+        }
+        EXPECT_GT(places, 0) << number;
+        return refused;
+    };
+    const auto expect = [&](double number, const std::vector<double> &taken, const std::vector<double> &wrong) {
+        for (const double instead : taken) EXPECT_EQ(refusals(number, instead), 0) << number << " as " << instead;
+        for (const double instead : wrong) EXPECT_GT(refusals(number, instead), 0) << number << " as " << instead;
+    };
+    const double nothing = NAN;
+    expect(0.21875, {double(0.05f), double(0.3f)}, {0.0499, 0.301, -1, nothing});  // its radius
+    expect(0.78125, {1e-3, 1e3}, {0, -1, nothing});                                // near enough
+    expect(1.28125, {1e-3, 8}, {0, -1, 8.001, nothing});                           // its speed
+    expect(1.09375, {}, {0, -1, nothing});                                         // its scale, which its track has too
+    expect(4, {0.001, 50}, {0, -1, 50.01, nothing});                               // how it gathers speed
+    expect(5.46875 - 8, {}, {1e6, -1e6, nothing});                                 // where it goes, from the middle
+    expect(5.46875, {}, {INFINITY, nothing});
+    other->restore(bytes.data(), bytes.size());
 }
