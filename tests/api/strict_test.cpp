@@ -1,6 +1,7 @@
 // A picture whose file is missing, through the C API: as a warning, as an error, and for hosts of earlier headers.
 #include <claque/prepare.h>
 
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -82,6 +83,9 @@ TEST_F(Strict, HostsOfEarlierHeadersPassShorterOptions)
     EXPECT_EQ(load(&options), CLQ_OK) << clq_last_error();
     options.struct_bytes -= 4;
     EXPECT_EQ(load(&options), CLQ_STRUCT_SIZE);
+    options.struct_bytes = offsetof(clq_asset_options, turn_deg);
+    options.turn_deg = HUGE_VAL;
+    EXPECT_EQ(load(&options), CLQ_IO) << "strict counts, and no turn: " << clq_last_error();
 }
 
 TEST_F(Strict, APreparedTemplateIsNotTakenWhereItsPictureIsMissing)
