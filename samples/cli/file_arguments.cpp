@@ -28,6 +28,14 @@ void add_placement_options(CLI::App &command, scenes::Placement &placement)
             ->excludes(height);
 }
 
+void expect_files(const std::vector<scenes::SocialClass> &characters, const scenes::Placement &placement)
+{
+    for (const scenes::SocialClass &one : characters)
+        if (scenes::is_file(one.character)) return;
+    if (placement.any())
+        throw scenes::Failure("--turn, --height and --scale are for characters of files, and none is shown");
+}
+
 void expect_unplaced(const FileArguments &arguments, const std::string &why)
 {
     if (arguments.placement.any()) throw scenes::Failure(why + "; --turn, --height and --scale are for files");

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "samples/scenes/placement.h"
+#include "samples/scenes/social_classes.h"
 
 namespace cli
 {
@@ -20,6 +20,9 @@ struct FileArguments {
 void add_file_options(CLI::App &command, FileArguments &arguments);
 // All but --hide.
 void add_placement_options(CLI::App &command, scenes::Placement &placement);
+
+// Throws Failure where they are given and none of these characters is a file.
+void expect_files(const std::vector<scenes::SocialClass> &characters, const scenes::Placement &placement);
 
 // Throws Failure where they are given for what is not read from a file of a character.
 void expect_unplaced(const FileArguments &arguments, const std::string &why);

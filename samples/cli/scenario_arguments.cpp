@@ -36,6 +36,7 @@ void read_scenario(SceneArguments &a)
     // For characters of files whose class does not say it.
     for (scenes::SocialClass &one : described->characters)
         if (scenes::is_file(one.character) && !one.placement.any()) one.placement = a.of_file.placement;
+    expect_files(described->characters, a.of_file.placement);
     a.described = described;
 }
 

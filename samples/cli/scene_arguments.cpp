@@ -116,6 +116,7 @@ std::string scene_of(const SceneArguments &a)
 void check_scene_usage(const SceneArguments &a)
 {
     expect_followed(a);
+    if (a.file.empty() && !a.described && !a.make) expect_files({}, a.of_file.placement);
     if (!a.path.empty() && !a.camera.empty() && a.camera != "path")
         throw CLI::ValidationError("--path", "the camera " + a.camera + " follows no path");
     if (a.camera == "path" && !has_path(a))

@@ -114,6 +114,7 @@ scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Place
         }
         options.characters.push_back(one);
     }
+    expect_files(options.characters, placed);
     options.area = a.area;
     options.follow = followed_by(a.camera);
     return options;

@@ -197,7 +197,7 @@ void check_view_usage(ViewArguments &a)
         throw CLI::ValidationError("--characters", "line up by themselves, or walk on the tracks of a file");
     if (subjects_of(a.what) > 1) throw CLI::ValidationError("--scene", "--scene and --scenario exclude each other");
     read_scenario(a.what.setup);
-    if (a.what.tracks.file.empty()) check_scene_usage(a.what.setup);
+    if (a.what.tracks.file.empty() && !lines_up(a.what)) check_scene_usage(a.what.setup);
 }
 
 }  // namespace

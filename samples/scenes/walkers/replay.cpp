@@ -44,7 +44,9 @@ public:
             for (const std::string &name : builtins)
                 if (is_person(name)) templates_.push_back(library.looking(name, levels));
         if (give(record) != CLQ_OK)
-            throw Failure(std::string(clq_last_error()) + "; --characters names the files of characters");
+            throw Failure(std::string(clq_last_error()) +
+                          "; --characters names the files of characters, and --turn, --height and --scale place them "
+                          "as in the run");
     }
     const std::vector<clq_template *> &templates() const { return templates_; }
 
