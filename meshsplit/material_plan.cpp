@@ -144,6 +144,7 @@ private:
     {
         const Material &material = materials_[i];
         out_.mappings[i].double_sided = material.double_sided;
+        out_.mappings[i].lighting = lighting_of(i);
         if (material.image == none) return plan_cell(i);
         TexturePlan plan;
         plan.image = material.image;
@@ -160,6 +161,15 @@ private:
         out_.mappings[i].texture = place(plan);
         if (plan.wrap_s == Wrap::mirror) out_.mappings[i].uv_scale.x = 0.5f;
         if (plan.wrap_t == Wrap::mirror) out_.mappings[i].uv_scale.y = 0.5f;
+    }
+
+    // GL multiplies emission by the texture, which contains a factor of the base colour.
+    model::Lighting lighting_of(size_t i) const
+    {
+        model::Lighting lighting = materials_[i].lighting;
+        for (size_t k = 0; k < 3; ++k)
+            if (rgb_[i][k] > 0) lighting.emission[k] = std::min(lighting.emission[k] / rgb_[i][k], 1.0f);
+        return lighting;
     }
 
     // Within [0, 1] mirroring looks like clamping, and clamping needs no texture of twice the size.

@@ -38,6 +38,7 @@ struct TexturePlan {
 struct MaterialMapping {
     uint32_t texture = 0;
     bool double_sided = false;
+    model::Lighting lighting;
     // Converts the file's UVs to those of the GL texture: offset + scale * uv.
     glm::vec2 uv_scale = glm::vec2(1);
     glm::vec2 uv_offset = glm::vec2(0);

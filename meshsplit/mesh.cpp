@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <tuple>
 
 #include <glm/geometric.hpp>
 
@@ -69,8 +70,9 @@ private:
     uint32_t surface_of(const MaterialMapping &mapping)
     {
         const uint32_t next = static_cast<uint32_t>(mesh_.surfaces.size());
-        const auto [place, is_new] = surfaces_.emplace(std::make_pair(mapping.texture, mapping.double_sided), next);
-        if (is_new) mesh_.surfaces.push_back({mapping.texture, mapping.double_sided});
+        const auto [place, is_new] =
+            surfaces_.emplace(std::make_tuple(mapping.texture, mapping.double_sided, mapping.lighting), next);
+        if (is_new) mesh_.surfaces.push_back({mapping.texture, mapping.double_sided, mapping.lighting});
         return place->second;
     }
 
@@ -272,7 +274,7 @@ private:
     const std::vector<math::Affine> rest_;
     Mesh mesh_;
     Interner influence_numbers_, point_numbers_, vertex_numbers_, face_numbers_;
-    std::map<std::pair<uint32_t, bool>, uint32_t> surfaces_;  // by texture and sidedness
+    std::map<std::tuple<uint32_t, bool, model::Lighting>, uint32_t> surfaces_;  // by texture, sidedness and lighting
     std::vector<uint32_t> influence_starts_;
     std::vector<uint8_t> faces_seen_;
     std::vector<Source> sources_;   // of the current part

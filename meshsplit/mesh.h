@@ -36,6 +36,7 @@ struct MeshTriangle {
 struct MeshSurface {
     uint32_t texture = 0;  // index in MaterialPlan::textures
     bool double_sided = false;
+    model::Lighting lighting;
 };
 
 struct Mesh {

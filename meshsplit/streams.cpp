@@ -122,6 +122,7 @@ private:
         model::Surface &surface = level_.surfaces.back();
         surface.texture = mesh_.surfaces[s].texture;
         surface.double_sided = mesh_.surfaces[s].double_sided;
+        surface.lighting = mesh_.surfaces[s].lighting;
         part_firsts_.clear();
         add_bins(clean, surface.clean);
         surface.dirty = add_range(dirty);

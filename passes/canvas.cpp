@@ -217,6 +217,7 @@ SurfaceState Canvas::state_of(const Individual &individual, const model::Surface
     const PreparedTexture &texture = individual.prepared->textures[surface.texture];
     state.texture = individual.own ? *individual.own : texture.name_of(individual.item->texture_set, linear, step);
     state.double_sided = surface.double_sided;
+    state.lighting = surface.lighting;
     state.mirrored = individual.item->mirrored;
     state.colour_array = !individual.level->colours.empty();
     return state;

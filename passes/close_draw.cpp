@@ -11,6 +11,7 @@ void draw_close(Canvas &canvas, const Individual &individual)
         SurfaceState state;
         state.texture = individual.close[i];
         state.double_sided = surfaces[i].double_sided;
+        state.lighting = surfaces[i].lighting;
         state.mirrored = individual.item->mirrored;
         state.colour_array = !individual.level->colours.empty();
         if (individual.prepared->source->textures[surfaces[i].texture].has_holes)

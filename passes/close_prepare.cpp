@@ -104,7 +104,10 @@ private:
 
     void prepare_level(PreparedLevel &out, const model::Level &level) const
     {
-        const auto has_none = [&](const model::Surface &s) { return out_.textures[s.texture].close.empty(); };
+        // In a close texture emission would take the colours of zones.
+        const auto has_none = [&](const model::Surface &s) {
+            return out_.textures[s.texture].close.empty() || s.lighting.emits();
+        };
         out.shows_close = !out.plain.empty() && std::none_of(level.surfaces.begin(), level.surfaces.end(), has_none);
     }
 

@@ -131,6 +131,7 @@ private:
 void prepare_flat(PreparedLevel &out, const model::Template &source, const model::Level &level, uint32_t max_triangles)
 {
     if (!out.batched || !shows_texels(level, max_triangles)) return;
+    if (level.surfaces[0].lighting.emits()) return;
     FlatMaker(out.flat, source, level).run();
 }
 

@@ -10,8 +10,8 @@
 namespace claque::passes
 {
 
-// Fills out.flat for a batched level with shows_texels() (welded.h) and at most `max_triangles` triangles; for any
-// other level it stays empty. Throws std::bad_alloc.
+// Fills out.flat for a batched level with shows_texels() (welded.h) and at most `max_triangles` triangles, which does
+// not emit, as its texels would then multiply light alone; for any other level it stays empty. Throws std::bad_alloc.
 void prepare_flat(PreparedLevel &out, const model::Template &source, const model::Level &level, uint32_t max_triangles);
 
 }  // namespace claque::passes

@@ -75,6 +75,8 @@ void load_state(Loader &want, Gl11 &t)
     want(t.FrontFace, "glFrontFace");
     want(t.ShadeModel, "glShadeModel");
     want(t.LightModeli, "glLightModeli");
+    want(t.GetMaterialfv, "glGetMaterialfv");
+    want(t.Materialfv, "glMaterialfv");
     want(t.ColorMaterial, "glColorMaterial");
     want(t.TexEnvi, "glTexEnvi");
 }

@@ -27,7 +27,7 @@ using Bool = uint8_t;
 
 constexpr Bool no = 0, yes = 1;
 
-constexpr Enum back = 0x0405, cw = 0x0900, ccw = 0x0901, front_and_back = 0x0408;
+constexpr Enum front = 0x0404, back = 0x0405, cw = 0x0900, ccw = 0x0901, front_and_back = 0x0408;
 constexpr Enum triangles = 0x0004;
 constexpr Enum signed_byte = 0x1400, unsigned_byte = 0x1401, signed_short = 0x1402, unsigned_short = 0x1403;
 constexpr Enum unsigned_int = 0x1405, real = 0x1406;
@@ -53,6 +53,7 @@ constexpr Enum line_smooth = 0x0B20, line_stipple = 0x0B24, polygon_smooth = 0x0
 constexpr Enum point_smooth = 0x0B10, multisample = 0x809D;
 constexpr Enum sample_alpha_to_coverage = 0x809E, sample_alpha_to_one = 0x809F;
 constexpr Enum colour_material = 0x0B57, ambient_and_diffuse = 0x1602, light_model_two_side = 0x0B52;
+constexpr Enum emission = 0x1600;
 
 constexpr Enum shade_model = 0x0B54, flat = 0x1D00, texture_1d = 0x0DE0;
 constexpr Enum texture_2d = 0x0DE1, proxy_texture_2d = 0x8064, texture_env = 0x2300, texture_env_mode = 0x2200;
@@ -134,6 +135,8 @@ struct Gl11 {
     GlCall<void(Enum winding)> FrontFace;
     GlCall<void(Enum model)> ShadeModel;
     GlCall<void(Enum name, int32_t value)> LightModeli;
+    GlCall<void(Enum face, Enum name, float *out)> GetMaterialfv;
+    GlCall<void(Enum face, Enum name, const float *values)> Materialfv;
     GlCall<void(Enum face, Enum what)> ColorMaterial;
     GlCall<void(Enum target, Enum name, int32_t value)> TexEnvi;
 

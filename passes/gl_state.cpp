@@ -79,6 +79,8 @@ void GlState::begin(const float *projection, Multisample multisample)
     shade_model_ = static_cast<gl::Enum>(shade_model);
     known_ = false;
     now_.flat = false;
+    now_.lighting = model::Lighting();
+    host_.known = false;
 }
 
 void GlState::set_flat(bool flat)
@@ -96,7 +98,33 @@ void GlState::set_flat(bool flat)
     }
 }
 
-void GlState::end_flat() { set_flat(false); }
+void GlState::set_lighting(const model::Lighting &wanted)
+{
+    if (wanted == now_.lighting) return;
+    if (!host_.known) {
+        host_.known = true;
+        host_.on = gl_.IsEnabled(gl::lighting) != gl::no;
+        gl_.GetMaterialfv(gl::front, gl::emission, host_.front);
+        gl_.GetMaterialfv(gl::back, gl::emission, host_.back);
+    }
+    if (host_.on && wanted.unlit != now_.lighting.unlit) {
+        wanted.unlit ? gl_.Disable(gl::lighting) : gl_.Enable(gl::lighting);
+        ++stats_.state_changes;
+    }
+    if (wanted.emission != now_.lighting.emission) {
+        const float own[4] = {wanted.emission[0], wanted.emission[1], wanted.emission[2], 1};
+        gl_.Materialfv(gl::front, gl::emission, wanted.emits() ? own : host_.front);
+        gl_.Materialfv(gl::back, gl::emission, wanted.emits() ? own : host_.back);
+        stats_.state_changes += 2;
+    }
+    now_.lighting = wanted;
+}
+
+void GlState::end()
+{
+    set_flat(false);
+    set_lighting(model::Lighting());
+}
 
 void GlState::apply_alpha(const SurfaceState &wanted)
 {
@@ -116,6 +144,7 @@ void GlState::apply(const SurfaceState &wanted)
 {
     apply_alpha(wanted);
     set_flat(wanted.flat);
+    set_lighting(wanted.lighting);
     if (!wanted.flat && (!known_ || wanted.texture != now_.texture)) {
         gl_.BindTexture(gl::texture_2d, wanted.texture);
         ++stats_.state_changes;

@@ -2,6 +2,7 @@
 // the state that zone colours depend on; preflight.h and tests/gl/host_state_test.cpp have what else breaks them.
 #pragma once
 
+#include "lib/model/model.h"
 #include "passes/gl11.h"
 #include "passes/options.h"
 
@@ -15,14 +16,15 @@ struct SurfaceState {
     bool mirrored = false;        // front faces are clockwise
     bool colour_array = false;    // colours come from an array, otherwise from glColor
     bool flat = false;            // GL_FLAT without a texture
+    model::Lighting lighting;     // unlit: without GL_LIGHTING, even where the host has it on
     gl::Enum alpha_function = 0;  // 0: no alpha test
     float alpha_reference = 0;
 
     bool operator==(const SurfaceState &o) const
     {
         return texture == o.texture && double_sided == o.double_sided && mirrored == o.mirrored &&
-               colour_array == o.colour_array && flat == o.flat && alpha_function == o.alpha_function &&
-               (alpha_function == 0 || alpha_reference == o.alpha_reference);
+               colour_array == o.colour_array && flat == o.flat && lighting == o.lighting &&
+               alpha_function == o.alpha_function && (alpha_function == 0 || alpha_reference == o.alpha_reference);
     }
 };
 
@@ -38,9 +40,9 @@ public:
     // everything. The host's RGB mask stays; alpha writes are masked.
     void begin(const float *projection, Multisample multisample);
 
-    // Restores the host's shade model and enables texturing again, as begin() left them. To be called before other code
-    // sees GL's state.
-    void end_flat();
+    // Restores what is the host's and differs for single surfaces (shade model, lighting, emission), and enables
+    // texturing again. To be called before other code sees GL's state.
+    void end();
 
     // Called after other code changed per-surface state: the next apply() sets everything.
     void forget() { known_ = false; }
@@ -51,12 +53,19 @@ public:
 private:
     void apply_alpha(const SurfaceState &wanted);
     void set_flat(bool flat);
+    void set_lighting(const model::Lighting &wanted);
 
     const Gl11 &gl_;
     DrawStats &stats_;
     SurfaceState now_;
     bool known_ = false;
     gl::Enum shade_model_ = 0;  // the host's
+    // The host's lighting, and its emission in front and behind; asked for by the first surface that differs.
+    struct HostLighting {
+        bool known = false, on = false;
+        float front[4] = {0, 0, 0, 1}, back[4] = {0, 0, 0, 1};
+    };
+    HostLighting host_;
 };
 
 }  // namespace claque::passes

@@ -15,7 +15,7 @@ HookFrame::HookFrame(const Gl11 &gl, const Preflight &preflight, GlState &state,
       list_(list),
       item_(item)
 {
-    state_.end_flat();
+    state_.end();
     gl_.BindTexture(gl::texture_2d, 0);  // first: the pop restores parameters to the texture that was bound at the push
     state_.forget();
     gl_.PushAttrib(gl::all_attrib_bits);

@@ -117,7 +117,7 @@ private:
     {
         const IndexSlices slices(level_, from);
         model::Surface made(out_.surfaces.get_allocator().resource());
-        made.texture = from.texture, made.double_sided = from.double_sided;
+        made.texture = from.texture, made.double_sided = from.double_sided, made.lighting = from.lighting;
         std::vector<uint32_t> firsts;
         for (size_t bin = 0; bin < from.clean.size(); ++bin)
             made.clean.push_back({from.clean[bin].zone_index, take(slices.clean(bin), filtered, firsts)});

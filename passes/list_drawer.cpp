@@ -87,7 +87,7 @@ base::Status ListDrawer::draw()
         if (flush_triangles_ != 0 && stats_.triangles - flushed_ >= flush_triangles_) flush_gl();
     }
     batch_.flush();
-    state_.end_flat();
+    state_.end();
     return first;
 }
 

@@ -25,8 +25,8 @@ typedef struct clq_mesh {
     bool normals_by_inverse;
 } clq_mesh;
 
-/* A bin: triangles of one texture, one sidedness, and one zone or several. The bins of a mesh contain each triangle
- * once, in the order of drawing. */
+/* A bin: triangles of one texture, one sidedness, one lighting, and one zone or several. The bins of a mesh contain
+ * each triangle once, in the order of drawing. */
 typedef struct clq_triangles {
     uint32_t struct_bytes; /* set by clq_triangles_init */
     uint32_t texture;      /* of the template, see clq_template_get_texture */
@@ -34,6 +34,8 @@ typedef struct clq_triangles {
     uint32_t zone; /* clean triangles: the zone of all their pixels. CLQ_NONE: dirty triangles */
     uint32_t index_count;
     const uint32_t *indices; /* [index_count], three per triangle, counter-clockwise seen from the front */
+    bool unlit;              /* true: drawn without GL_LIGHTING */
+    float emission[3];       /* GL_EMISSION; the texture multiplies it as it multiplies light */
 } clq_triangles;
 
 /* An addend to one vertex before skinning, times the target's weight. */

@@ -3,10 +3,11 @@
  * claque links no GL. The renderer asks the host for the functions of OpenGL 1.1 once, when it is created.
  *
  * GL state. The renderer inherits the host's viewport, scissor, lights, fog, clip planes, stencil and shade model
- * (except where clq_renderer_def.flat_triangles applies). It sets the state that its picture depends on: blending off,
- * alpha test, depth test GL_LEQUAL with writes, alpha writes masked, face culling, one texture with GL_MODULATE, no
- * texture generation, an identity texture matrix, colour material on ambient and diffuse, GL_NORMALIZE, its own
- * matrices.
+ * (except where clq_renderer_def.flat_triangles applies). Surfaces of materials without lighting turn GL_LIGHTING off,
+ * and those that emit set GL_EMISSION of both faces; the host's own comes back after them, in every guard mode. The
+ * renderer sets the state that its picture depends on: blending off, alpha test, depth test GL_LEQUAL with writes,
+ * alpha writes masked, face culling, one texture with GL_MODULATE, no texture generation, an identity texture matrix,
+ * colour material on ambient and diffuse, GL_NORMALIZE, its own matrices.
  *
  * Hooks (clq_actor_set_hooks). They are called around the drawing of their actor, not where the actor is not drawn.
  *   State on entry: the view's projection, the actor's own model-view matrix, GL_MODELVIEW as the matrix mode, all
@@ -87,13 +88,14 @@ typedef struct clq_renderer_def {
      * without dirty triangles, and without an alpha test but for holes. The member is the budget for all of them in
      * bytes of GL memory: four a texel, with all mip levels. 0 (default): off.
      * The nearest individuals of a view get one, up to the first that the budget has no room for. Others are drawn by
-     * the strategy: those farther away than close_distance_m, in batches, or with hooks; and those with a texture
-     * larger than the budget, or whose triangles come within half a texel of an edge that clamps.
+     * the strategy: those farther away than close_distance_m, in batches, with hooks, or with emission over a lit
+     * colour; and those with a texture larger than the budget, or whose triangles come within half a texel of an edge
+     * that clamps.
      * A draw makes what its view lacks before it draws anything, so the picture follows from the view alone and not
      * from earlier draws. Views that one renderer draws in turn share the budget; if together they want more, each draw
      * makes some textures anew. Individuals that show the same share one.
-     * Light is limited to 1 before it meets the colours of zones, not after; specular light and emission take their
-     * colours. Keep it off where a picture is made of tiles, or compared with the strategies. */
+     * Light is limited to 1 before it meets the colours of zones, not after; specular light and the host's emission
+     * take their colours. Keep it off where a picture is made of tiles, or compared with the strategies. */
     uint64_t close_texture_bytes;
     /* [m, >= 0] Individuals from this distance on show no close texture, for a picture of 768 lines over 60 degrees, as
      * distances of levels. 0 (default): measured for each template, see clq_prepared_info.close_distance_m. */

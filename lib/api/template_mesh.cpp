@@ -84,6 +84,8 @@ clq_status clq_template_get_triangles(const clq_template *tmpl, uint32_t level, 
                 clean ? tmpl->textures[surface.texture].keys[surface.clean[left].zone_index].zone : CLQ_NONE;
             triangles.index_count = range.count;
             triangles.indices = from.indices.data() + range.first;
+            triangles.unlit = surface.lighting.unlit;
+            std::copy_n(surface.lighting.emission.begin(), 3, triangles.emission);
             api::write_out(out, triangles);
             return;
         }

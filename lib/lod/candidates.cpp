@@ -86,7 +86,8 @@ std::vector<model::Part> assemble(const model::Model &model, const std::vector<s
         ++at;
     }
     for (size_t k = 0; k < made.size(); ++k)
-        if (made[k].is_proxy) take(k, made[k].parts[0]);
+        if (made[k].is_proxy)
+            for (model::Part &part : made[k].parts) take(k, part);
     return parts;
 }
 

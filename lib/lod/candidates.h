@@ -14,7 +14,7 @@ constexpr double max_zone_view_error = 0.28;  // of levels of fewer than 20 tria
 
 struct Candidate {
     LevelReport level;
-    bool is_proxy = false;  // one part replaces all parts
+    bool is_proxy = false;  // one part, split by lighting at the end, replaces all parts
     bool is_measured = false;
     double zone_tolerance = max_zone_area_error;  // what its zones' area fractions may be off
     bool loses_zone = false;                      // see area_fractions.h

@@ -209,6 +209,11 @@ void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std
         proxies[i]->loses_zone =
             loses_zone(source.area_fractions, fractions, tolerance > max_zone_area_error ? tolerance : least_zone);
     });
+    for (Candidate *proxy : proxies) {
+        proxy->parts = split_by_lighting(from, std::move(proxy->parts[0]), model);
+        proxy->level.vertices = 0;
+        for (const model::Part &part : proxy->parts) proxy->level.vertices += part.positions.size();
+    }
 }
 
 std::vector<size_t> checked(std::vector<size_t> targets)

@@ -91,6 +91,8 @@ void check_surface(const Template &tmpl, const Level &level, const Surface &surf
     if (surface.texture >= tmpl.textures.size())
         fail(CLQ_ARGUMENT, "a surface has texture %u, which does not exist: there are %zu", surface.texture,
              tmpl.textures.size());
+    for (const float e : surface.lighting.emission)
+        if (!(e >= 0 && e <= 1)) fail(CLQ_ARGUMENT, "a surface emits %g: [0, 1] is wanted", double(e));
     const size_t zones = tmpl.textures[surface.texture].keys.size();
     check_bins(level, surface.clean, zones);
     check_bins(level, surface.dirty_by_zone, zones);

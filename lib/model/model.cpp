@@ -120,6 +120,9 @@ void check_looks(const Model &model)
             if (!std::isfinite(x))
                 fail(CLQ_ARGUMENT, "material %zu '%s' has a colour or an alpha_cutoff that is not finite", i,
                      material.name.c_str());
+        for (const float e : material.lighting.emission)
+            if (!(e >= 0 && e <= 1))
+                fail(CLQ_ARGUMENT, "material %zu '%s' emits %g: [0, 1] is wanted", i, material.name.c_str(), double(e));
         if (material.image != none && material.image >= model.images.size())
             fail(CLQ_ARGUMENT, "material %zu '%s' has image %u, which does not exist: there are %zu", i,
                  material.name.c_str(), material.image, model.images.size());

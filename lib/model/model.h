@@ -23,7 +23,7 @@ enum class Topology : uint8_t {
     triangle_fan = 6
 };
 enum class Wrap : uint8_t { repeat = 0, clamp = 1, mirror = 2 };
-enum class AlphaMode : uint8_t { opaque = 0, mask = 1 };  // BLEND has already become opaque, with a warning
+enum class AlphaMode : uint8_t { opaque = 0, mask = 1 };  // BLEND has already become one of these
 enum class AlphaMeaning : uint8_t { opacity = 0, zone_keys = 1 };
 
 // 8-bit RGBA. Row 0 is at v = 0: the top row in glTF and in claque, and GL gets the same bytes with the same v.
@@ -50,6 +50,17 @@ struct Zone {
     HsbRange range;                           // the range that colours are sampled from by default
 };
 
+// How light acts on a material.
+struct Lighting {
+    bool unlit = false;                         // its colours are shown as they are
+    std::array<float, 3> emission = {0, 0, 0};  // as for GL_EMISSION: encoded, in [0, 1]; none if unlit
+
+    bool emits() const { return emission[0] > 0 || emission[1] > 0 || emission[2] > 0; }
+    bool operator==(const Lighting &o) const { return unlit == o.unlit && emission == o.emission; }
+    bool operator!=(const Lighting &o) const { return !(*this == o); }
+    bool operator<(const Lighting &o) const { return unlit != o.unlit ? o.unlit : emission < o.emission; }
+};
+
 struct Material {
     std::string name;
     std::array<float, 4> base_colour = {1, 1, 1, 1};  // as for glColor: encoded, not linear
@@ -58,6 +69,7 @@ struct Material {
     AlphaMode alpha_mode = AlphaMode::opaque;
     float alpha_cutoff = 0.5f;
     bool double_sided = false;
+    Lighting lighting;
     uint32_t zone = none;  // the zone of all triangles with this material; none if its image has zone keys
 };
 

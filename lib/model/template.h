@@ -70,12 +70,13 @@ struct Bin {
     IndexRange range;
 };
 
-// The triangles with one texture and one sidedness: the unit of drawing. Most characters have one.
+// The triangles with one texture, sidedness and lighting: the unit of drawing. Most characters have one.
 struct Surface {
     explicit Surface(std::pmr::memory_resource *memory) : clean(memory), dirty_by_zone(memory), part_offsets(memory) {}
     uint32_t texture = 0;
     bool double_sided = false;
-    Array<Bin> clean;  // triangles of one zone, one bin for each zone that has any
+    Lighting lighting;  // its emission is multiplied by the texture, as all light
+    Array<Bin> clean;   // triangles of one zone, one bin for each zone that has any
     // Triangles of several zones, once each (source vertices): S1's passes.
     IndexRange dirty;
     // For each zone, ascending: the dirty triangles that touch it (source vertices).

@@ -67,7 +67,8 @@ template <class Archive, class S>
 void walk_surface(Archive &a, S &surface)
 {
     const auto bin = [&](auto &b) { a.value(b.zone_index), walk_range(a, b.range); };
-    a.value(surface.texture), a.flag(surface.double_sided);
+    a.value(surface.texture), a.flag(surface.double_sided), a.flag(surface.lighting.unlit);
+    for (auto &v : surface.lighting.emission) a.value(v);
     a.array(surface.clean, 12, bin);
     walk_range(a, surface.dirty);
     a.array(surface.dirty_by_zone, 12, bin);
@@ -99,7 +100,7 @@ void walk_level(Archive &a, L &level)
     a.array(level.colours, 1, number);
     a.array(level.slots, 2, number);
     a.array(level.indices, 4, number);
-    a.rows(level.surfaces, 45, [&](auto &surface) { walk_surface(a, surface); });
+    a.rows(level.surfaces, 58, [&](auto &surface) { walk_surface(a, surface); });
     a.value(level.switch_distance_m);
     a.value(level.skeletal_level);
     a.array(level.active, 1, number);

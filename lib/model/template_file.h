@@ -8,7 +8,7 @@
 namespace claque::model
 {
 
-constexpr uint32_t template_file_version = 5;
+constexpr uint32_t template_file_version = 6;
 
 // Appends to `out`. Equal templates give equal bytes. Throws std::bad_alloc.
 void save(const Template &tmpl, std::pmr::vector<uint8_t> &out);

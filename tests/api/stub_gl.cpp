@@ -229,6 +229,8 @@ clq_gl_function find(void *, const char *name)
                                                                 IDLE(Clear),
                                                                 IDLE(FrontFace),
                                                                 IDLE(LightModeli),
+                                                                IDLE(GetMaterialfv),
+                                                                IDLE(Materialfv),
                                                                 IDLE(ShadeModel),
                                                                 IDLE(ColorMaterial),
                                                                 IDLE(TexEnvi),

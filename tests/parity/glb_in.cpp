@@ -145,9 +145,11 @@ void read_glb(const std::string &path, SceneIn &out)
     const Glb glb(path);
     for (const Json &texture : glb.json.at("textures")) out.textures.push_back(texture_of(glb, texture));
     for (const Json &material : glb.json.at("materials"))
-        out.materials.push_back({material.at("pbrMetallicRoughness").at("baseColorTexture").at("index").get<size_t>(),
-                                 material.at("doubleSided").get<bool>(),
-                                 material.value("alphaMode", "OPAQUE") == "MASK"});
+        out.materials.push_back(
+            {material.at("pbrMetallicRoughness").at("baseColorTexture").at("index").get<size_t>(),
+             material.at("doubleSided").get<bool>(), material.value("alphaMode", "OPAQUE") == "MASK",
+             material.contains("extensions") && material.at("extensions").contains("KHR_materials_unlit"),
+             material.value("emissiveFactor", std::array<float, 3>{})});
     for (const Json &mesh : out.json.at("meshes"))
         out.meshes.push_back(mesh_of(glb, glb.json.at("meshes").at(mesh.at("mesh").get<size_t>())));
 }

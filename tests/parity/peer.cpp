@@ -171,8 +171,8 @@ Variant Peer::variant_for(const Individual &person, const Range &range) const
 {
     const Mesh &mesh = scene_.meshes[person.mesh];
     const Material &material = scene_.materials[range.material];
-    return {what_,          most_joints_,      mesh.joints.size(),    mesh.normals_by_inverse, material.double_sided,
-            material.holes, options_.limiting, options_.subpixel_bits};
+    return {what_,          most_joints_,      mesh.joints.size(), mesh.normals_by_inverse, material.double_sided,
+            material.holes, options_.limiting, material.unlit,     options_.subpixel_bits};
 }
 
 void Peer::use_program(const Individual &person, const Variant &variant, size_t row, const float *palette)
@@ -225,6 +225,10 @@ void Peer::draw_range(const Individual &person, const Range &range, size_t row, 
 {
     const Material &material = scene_.materials[range.material];
     use_program(person, variant_for(person, range), row, palette);
+    if (program_->emission >= 0) {
+        const std::array<float, 3> none{};
+        gl_.Uniform3fv(program_->emission, 1, (scene_.lighting.enabled ? material.emission : none).data());
+    }
     if (range.material != material_) {
         gl_.BindTexture(gl::texture_2d, textures_[material.texture]);
         material.double_sided ? gl_.Disable(gl::cull_face) : gl_.Enable(gl::cull_face);

@@ -41,7 +41,7 @@ public:
 private:
     struct Program {
         unsigned name = 0;
-        int palette = -1, normal_palette = -1, row = -1, id = -1, key = -1, zone_colour = -1;
+        int palette = -1, normal_palette = -1, row = -1, id = -1, key = -1, zone_colour = -1, emission = -1;
     };
     struct Buffers {
         unsigned shape = 0, indices = 0;  // names

@@ -51,6 +51,7 @@ const Peer::Program &Peer::program_for(const Variant &variant)
     out.normal_palette = gl_.GetUniformLocation(out.name, "normal_palette");
     out.row = gl_.GetUniformLocation(out.name, "row");
     out.id = gl_.GetUniformLocation(out.name, "id");
+    out.emission = gl_.GetUniformLocation(out.name, "emission");
     out.key = gl_.GetUniformLocation(out.name, "key");
     out.zone_colour = gl_.GetUniformLocation(out.name, "zone_colour");
     set_scene_uniforms(out.name);

@@ -1,9 +1,12 @@
 #include "tests/parity/peer_trial.h"
 
+#include <claque/assets.h>
+
 #include <unistd.h>
 
 #include "samples/parity/compare.h"
 #include "samples/parity/write/write.h"
+#include "samples/scenes/check.h"
 #include "tests/gl/support/absent.h"
 #include "tests/parity/result_out.h"
 
@@ -12,7 +15,7 @@ namespace parity_test
 
 namespace fs = std::filesystem;
 
-void PeerTrial::begin(const char *scene, uint32_t count)
+void PeerTrial::begin(const char *scene, uint32_t count, const std::string &glb)
 {
     std::string why_not;
     if (!contexts::make_offscreen(contexts::Kind::any, 16, 16, contexts::PixelFormat::rgba8888, why_not))
@@ -25,6 +28,16 @@ void PeerTrial::begin(const char *scene, uint32_t count)
     options.crowd_options.count = count;
     options.width = 320, options.height = 240;
     options.flat_triangles = 0;  // the peer lights smoothly
+    scenes::Own<clq_template> tmpl;
+    if (!glb.empty()) {
+        clq_asset *asset = nullptr;
+        scenes::check(clq_asset_load(library.context(), glb.data(), glb.size(), nullptr, &asset));
+        const scenes::Own<clq_asset> owned(asset);
+        clq_template *made = nullptr;
+        scenes::check(clq_asset_build(library.context(), asset, 0, &made));
+        tmpl.reset(made);
+        options.character.tmpl = made;
+    }
     scenes::SceneRenderer scene_renderer(library, options);
     const parity::CaptureTime capture_time = {options.scene, 2, options.width, options.height};
     parity::write_scene(scene_renderer, capture_time, path("scene"));

@@ -15,8 +15,9 @@ namespace parity_test
 class PeerTrial : public testing::Test
 {
 protected:
-    // Skips the test where there is no OpenGL context; otherwise exports and captures. 320 x 240, two seconds.
-    void begin(const char *scene, uint32_t count);
+    // Skips the test where there is no OpenGL context; otherwise exports and captures. 320 x 240, two seconds. `glb`:
+    // the character of a parade.
+    void begin(const char *scene, uint32_t count, const std::string &glb = "");
     void TearDown() override;
 
     // What the peer makes of a scene; its folder is that of the exported one.

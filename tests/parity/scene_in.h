@@ -21,7 +21,8 @@ struct Texture {
 
 struct Material {
     size_t texture = 0;
-    bool double_sided = false, holes = false;
+    bool double_sided = false, holes = false, unlit = false;
+    std::array<float, 3> emission{};
 };
 
 struct MorphTarget {

@@ -12,8 +12,8 @@ const char *const attribute_names[attribute_count] = {"position", "normal",  "uv
 
 bool Variant::operator<(const Variant &o) const
 {
-    return std::tie(what, joints, sets, normals_by_inverse, double_sided, holes, limiting, subpixel_bits) <
-           std::tie(o.what, o.joints, o.sets, o.normals_by_inverse, o.double_sided, o.holes, o.limiting,
+    return std::tie(what, joints, sets, normals_by_inverse, double_sided, holes, limiting, unlit, subpixel_bits) <
+           std::tie(o.what, o.joints, o.sets, o.normals_by_inverse, o.double_sided, o.holes, o.limiting, o.unlit,
                     o.subpixel_bits);
 }
 
@@ -69,7 +69,7 @@ uniform vec4 light_spot[LIGHTS];       // the direction, and the cosine of the c
 uniform float light_exponent[LIGHTS];  // below 0: no spot
 #endif
 uniform vec3 scene_ambient;
-uniform vec3 zone_colour;
+uniform vec3 zone_colour, emission;
 uniform vec2 half_picture;
 #ifdef VERTICES
 varying vec3 out_position, out_normal;
@@ -164,10 +164,15 @@ void main()
 #else
     vec3 own = colour.rgb;
 #endif
-    vec3 lit = light(n, eye) * own;
+#ifdef BY_ZONE
+    vec3 more = emission;
+#else
+    vec3 more = vec3(0.0);
+#endif
+    vec3 lit = light(n, eye) * own + more;
     for (int k = 0; k < KNOTS; ++k) front[k] = min(lit, LIMIT(k));
 #ifdef DOUBLE_SIDED
-    lit = light(-n, eye) * own;
+    lit = light(-n, eye) * own + more;
     for (int k = 0; k < KNOTS; ++k) behind[k] = min(lit, LIMIT(k));
 #endif
     distance_to_eye = abs(eye.z);
@@ -178,7 +183,7 @@ void main()
 constexpr const char *fragment_text = R"(
 uniform sampler2D texels, atlas;
 uniform float row, key;
-uniform vec3 id, fog_colour;
+uniform vec3 id, fog_colour, emission;
 uniform float fog_density, fog_start, fog_end;
 varying vec3 front[KNOTS];
 #ifdef DOUBLE_SIDED
@@ -218,7 +223,11 @@ void main()
 #else
     vec3 lit = limited(zone, front);
 #endif
+#ifdef BY_ZONE
     vec3 colour = min(zone * lit, 1.0) * texel.rgb;
+#else
+    vec3 colour = min(zone * lit + emission, 1.0) * texel.rgb;
+#endif
 #ifdef FOG
     colour = mix(fog_colour, colour, clamp(FOG, 0.0, 1.0));
 #endif
@@ -260,7 +269,7 @@ std::string vertex_shader(const Variant &variant, const Lighting &lighting)
 {
     return defines_of(variant, lighting) + "#define JOINTS " + std::to_string(variant.joints) + "\n#define SETS " +
            std::to_string(variant.sets) + "\n#define LIGHTS " + std::to_string(lighting.lights.size()) +
-           (lighting.enabled ? "\n#define LIT" : "") +
+           (lighting.enabled && !variant.unlit ? "\n#define LIT" : "") +
            (variant.subpixel_bits > 0 ? "\n#define SUBPIXELS " + std::to_string(1 << variant.subpixel_bits) + ".0"
                                       : "") +
            vertex_text;

@@ -21,6 +21,7 @@ struct Variant {
     size_t joints = 1, sets = 1;  // sets of four influences
     bool normals_by_inverse = false, double_sided = false, holes = false;
     Limiting limiting = Limiting::knots;
+    bool unlit = false;
     int subpixel_bits = 0;  // to which the vertex shader rounds positions in the picture; 0: it does not
     bool operator<(const Variant &o) const;
 };

@@ -76,4 +76,9 @@ ProxyLevels make_proxies(const model::Model &model, const std::vector<const mode
 // Adds materials, images, texture-set entries and keys to the same `model`. The caller adds the parts.
 void add_to_model(const ProxyLevels &proxies, model::Model &model);
 
+// Splits a proxy, whose material is in source.model, into one part for each lighting that its triangles show: a
+// triangle has the lighting of the zones that most of it shows, a zone that of most of its surface. `model` is
+// source.model, and gets the materials.
+std::vector<model::Part> split_by_lighting(const ProxySource &source, model::Part part, model::Model &model);
+
 }  // namespace claque::lod

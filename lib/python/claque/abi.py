@@ -133,7 +133,7 @@ class Mesh(Sized):
 
 class Triangles(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("texture", c_uint32), ("double_sided", c_bool), ("zone", c_uint32),
-                ("index_count", c_uint32), ("indices", POINTER(c_uint32))]
+                ("index_count", c_uint32), ("indices", POINTER(c_uint32)), ("unlit", c_bool), ("emission", c_float * 3)]
 
 
 class DrawnActor(Sized):

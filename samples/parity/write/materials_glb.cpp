@@ -37,13 +37,19 @@ Materials::Image Materials::image(const clq_template *tmpl, uint32_t texture, ui
 size_t Materials::material(const clq_template *tmpl, const clq_triangles &triangles, uint32_t texture_set)
 {
     const Image drawn_actors = image(tmpl, triangles.texture, texture_set);
-    const auto [known, is_new] = materials_.try_emplace({drawn_actors.texture, triangles.double_sided}, 0);
+    const std::array<float, 3> emission = {triangles.emission[0], triangles.emission[1], triangles.emission[2]};
+    const auto [known, is_new] =
+        materials_.try_emplace({drawn_actors.texture, triangles.double_sided, triangles.unlit, emission}, 0);
     if (!is_new) return known->second;
     Glb::Json made = {
         {"pbrMetallicRoughness",
          {{"baseColorTexture", {{"index", drawn_actors.texture}}}, {"metallicFactor", 0}, {"roughnessFactor", 1}}},
         {"doubleSided", triangles.double_sided != 0}};
     if (drawn_actors.holes) made["alphaMode"] = "MASK", made["alphaCutoff"] = least_key;
+    if (triangles.unlit) made["extensions"]["KHR_materials_unlit"] = Glb::Json::object();
+    if (triangles.unlit) glb_.json["extensionsUsed"] = {"KHR_materials_unlit"};
+    if (emission[0] > 0 || emission[1] > 0 || emission[2] > 0)
+        made["emissiveFactor"] = emission, made["emissiveTexture"]["index"] = drawn_actors.texture;
     glb_.json["materials"].push_back(made);
     return known->second = glb_.json["materials"].size() - 1;
 }

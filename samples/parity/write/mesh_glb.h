@@ -1,6 +1,7 @@
 // One mesh of a template as glTF.
 #pragma once
 
+#include <array>
 #include <map>
 #include <tuple>
 
@@ -10,7 +11,7 @@
 namespace parity
 {
 
-// Materials of one file: one for each texture, texture set and sidedness of each template.
+// Materials of one file: one for each texture, texture set, sidedness and lighting of each template.
 class Materials
 {
 public:
@@ -26,7 +27,8 @@ private:
 
     Glb &glb_;
     std::map<std::tuple<const clq_template *, uint32_t, uint32_t>, Image> images_;
-    std::map<std::pair<size_t, int32_t>, size_t> materials_;  // by texture and sidedness
+    // By texture, sidedness, and lighting: unlit, emission.
+    std::map<std::tuple<size_t, bool, bool, std::array<float, 3>>, size_t> materials_;
 };
 
 // mesh_json: the glTF mesh without materials; dress: adds the materials and the zones of dirty primitives, in which

@@ -24,6 +24,8 @@ const std::map<std::string, std::vector<size_t>> &named_arguments()
                                                                     {"glCullFace", {0}},
                                                                     {"glFrontFace", {0}},
                                                                     {"glLightModeli", {0}},
+                                                                    {"glGetMaterialfv", {0, 1}},
+                                                                    {"glMaterialfv", {0, 1}},
                                                                     {"glColorMaterial", {0, 1}},
                                                                     {"glTexEnvi", {0, 1, 2}},
                                                                     {"glMatrixMode", {0}},

@@ -67,9 +67,15 @@ model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<ui
 
 PosedModel split_posed(const model::Model &source, uint32_t clip, double time_s)
 {
+    PosedModel posed = split_unwhitened(source, clip, time_s);
+    whiten(*posed.tmpl);
+    return posed;
+}
+
+PosedModel split_unwhitened(const model::Model &source, uint32_t clip, double time_s)
+{
     auto tmpl = std::make_unique<model::Template>(std::pmr::get_default_resource());
     claque::meshsplit::build(source, {}, *tmpl);
-    whiten(*tmpl);
     PosedModel posed;
     posed.tmpl = std::move(tmpl);
     skin(*posed.tmpl, clip, time_s, posed.positions, posed.normals);

@@ -13,6 +13,9 @@ model::Model model_of(const Mesh &mesh, const ZoneMap &map, const std::vector<ui
 // `time_s`.
 PosedModel split_posed(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
 
+// The same with its own textures.
+PosedModel split_unwhitened(const model::Model &model, uint32_t clip = model::none, double time_s = 0);
+
 // Positions and normals of level 0 in a pose, copies included.
 void skin(const model::Template &tmpl, uint32_t clip, double time_s, std::vector<float> &positions,
           std::vector<float> &normals);

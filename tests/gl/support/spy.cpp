@@ -111,6 +111,8 @@ void add_state(Table &t)
     add<&Gl11::CullFace>(t, "glCullFace");
     add<&Gl11::FrontFace>(t, "glFrontFace");
     add<&Gl11::LightModeli>(t, "glLightModeli");
+    add<&Gl11::GetMaterialfv>(t, "glGetMaterialfv");
+    add<&Gl11::Materialfv>(t, "glMaterialfv");
     add<&Gl11::ShadeModel>(t, "glShadeModel");
     add<&Gl11::ColorMaterial>(t, "glColorMaterial");
     add<&Gl11::TexEnvi>(t, "glTexEnvi");

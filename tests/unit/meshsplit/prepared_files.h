@@ -30,6 +30,7 @@ inline model::Model puppet_in_levels()
     m.zones = looks.zones;
     m.materials.assign(2, looks.materials[0]);
     m.materials[1].double_sided = true;
+    m.materials[1].lighting.emission = {0.1f, 0.2f, 1};
     for (size_t p = 0; p < m.parts.size(); ++p) m.parts[p].material = p % 2;
     m.stop(m.finger, 20);
     m.stop(m.hand, 40);

@@ -107,6 +107,7 @@ TEST(TemplateFile, ATemplateThatWouldReadOutOfRangeIsRefused)
         [](model::Template &t) { t.levels[0].morph_ranges[0].weight = 1; },
         [](model::Template &t) { t.levels[0].surfaces[0].texture = 1; },
         [](model::Template &t) { t.levels[0].surfaces[0].fused.count += 3; },
+        [](model::Template &t) { t.levels[0].surfaces[0].lighting.emission[2] = 1.5f; },
         [](model::Template &t) { t.levels[0].uvs[3] = std::numeric_limits<float>::infinity(); },
         [](model::Template &t) { t.levels[0].colours.pop_back(); },
         [](model::Template &t) { t.textures[0].rgba[3] = 1; },

@@ -57,7 +57,7 @@ export class Crowd {
         };
         if (mesh.attributes.COLOR_0) defines.COLOURS = 1;
         if (mesh.inverse) defines.NORMALS_BY_INVERSE = 1;
-        if (lighting.enabled) defines.LIT = 1;
+        if (lighting.enabled && !more.UNLIT) defines.LIT = 1;
         return new three.RawShaderMaterial({
             glslVersion: three.GLSL3, vertexShader: vertexText, fragmentShader, defines,
             uniforms: {
@@ -70,13 +70,15 @@ export class Crowd {
     // The materials of a mesh, one for each of its groups.
     materials(index) {
         this.meshes[index].materials ??= this.scene.meshes[index].groups.map((group) => {
-            const { texture, doubleSided } = this.scene.materials[group.material], { fog } = this.scene.json;
+            const { texture, doubleSided, unlit, emission } = this.scene.materials[group.material];
+            const { fog, lighting } = this.scene.json;
             const more = { ZONES: group.zones.length };
             if (doubleSided) more.DOUBLE_SIDED = 1;
+            if (unlit) more.UNLIT = 1;
             if (fog) more.FOG = fogOf[fog.mode];
             const material = this.material(index, more, {
                 texels: { value: this.textures[texture] }, keys: { value: group.zones.map((zone) => zone + 1) },
-                row: { value: 0 }, actor: { value: 0 },
+                row: { value: 0 }, actor: { value: 0 }, emission: { value: lighting.enabled ? emission : [0, 0, 0] },
             }, fragmentText);
             material.side = doubleSided ? three.DoubleSide : three.FrontSide;
             return material;

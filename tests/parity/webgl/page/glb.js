@@ -79,6 +79,8 @@ export async function readGlb(buffer) {
         materials: glb.json.materials.map((material) => ({
             texture: material.pbrMetallicRoughness.baseColorTexture.index,
             doubleSided: material.doubleSided ?? false,
+            unlit: material.extensions?.KHR_materials_unlit !== undefined,
+            emission: material.emissiveFactor ?? [0, 0, 0],
         })),
         meshes: glb.json.meshes.map((mesh) => meshOf(glb, mesh)),
     };

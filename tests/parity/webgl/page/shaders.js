@@ -27,7 +27,7 @@ uniform int firstPalette;
 uniform sampler2D deltas;    // two texels a vertex: what a morph target adds to position and normal
 uniform float morphWeights[TARGETS];
 #endif
-uniform vec3 sceneAmbient;
+uniform vec3 sceneAmbient, emission;
 #if LIGHTS > 0
 uniform vec4 lightPosition[LIGHTS], lightCone[LIGHTS];
 uniform float lightExponent[LIGHTS];
@@ -138,9 +138,9 @@ void main()
     vec3 light = own * lightOf(n, eye.xyz), lightBehind = own * lightOf(-n, eye.xyz);
     for (int k = 0; k < ZONES; ++k) {
         vec3 zone = texelFetch(atlas, ivec3(keys[k], row % 1024, row / 1024), 0).rgb;
-        front[k] = min(zone * light, 1.0);
+        front[k] = min(zone * light + emission, 1.0);
 #ifdef DOUBLE_SIDED
-        behind[k] = min(zone * lightBehind, 1.0);
+        behind[k] = min(zone * lightBehind + emission, 1.0);
 #endif
     }
     at = uv;
