@@ -16,6 +16,13 @@ extern "C" {
  * another call uses it; tasks of such a call must not use it either. */
 typedef struct clq_asset clq_asset;
 
+/* What becomes of glTF's alpha mode BLEND, as people are drawn without blending. A material whose alpha is 1 everywhere
+ * is opaque in either case; any other gives a warning. */
+typedef enum clq_blend {
+    CLQ_BLEND_MASK = 0,  /* an alpha test: opaque where alpha is 0.5 and more, nothing elsewhere (hair, lashes) */
+    CLQ_BLEND_OPAQUE = 1 /* all of it, whatever its alpha */
+} clq_blend;
+
 typedef struct clq_asset_options {
     uint32_t struct_bytes; /* set by clq_asset_options_init */
     /* The folder of external buffers and images. NULL: clq_asset_load refuses them, clq_asset_load_file uses the folder
@@ -38,6 +45,7 @@ typedef struct clq_asset_options {
      * of the file's own. 0 (default): the file's own. A file without vertices has no height */
     double height_m;
     double scale; /* multiplies the size: [1e-6, 1e6], and not beside height_m. 0 (default): 1 */
+    clq_blend blend;
 } clq_asset_options;
 
 CLQ_DEFINE_ZERO_INIT(clq_asset_options)

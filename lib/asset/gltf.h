@@ -1,8 +1,8 @@
 // Reads glTF 2.0 and GLB into a Model, or throws an error that says what to change. The bytes may be anything.
 //
-// It reads scenes, nodes, meshes with morph targets, skins, animations, base colours and their textures, and the extras
-// of zones (zone_extras.h), nodes (node_extras.h) and animations (clip_extras.h). Everything else (cameras, lights, the
-// rest of a material) is ignored together with its errors.
+// It reads scenes, nodes, meshes with morph targets, skins, animations, base colours, emission and their textures, and
+// the extras of zones (zone_extras.h), nodes (node_extras.h) and animations (clip_extras.h). Everything else (cameras,
+// lights, the rest of a material) is ignored together with its errors.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,8 @@
 namespace claque::asset
 {
 
+enum class Blend : uint8_t { mask = 0, opaque = 1 };  // what becomes of the alpha mode BLEND
+
 struct LoadOptions {
     std::string base_folder;                // of external buffers and images; if it is empty they are refused
     std::vector<std::string> hidden_nodes;  // parts of these nodes and of their descendants get Part::hidden
@@ -25,6 +27,7 @@ struct LoadOptions {
     uint64_t memory_limit_bytes = 1ull << 30;
     uint32_t max_image_px = 16384;  // width and height
     bool strict = false;       // a picture whose file is missing fails; else the base colour is shown, with a warning
+    Blend blend = Blend::mask;  // mask: with a cutoff of 0.5
     double motion_unit_m = 1;  // metres (model units) per unit of a BVH file, which has none of its own
 };
 

@@ -136,6 +136,12 @@ private:
     {
         const FileNode &from = tree_.nodes[node];
         const Mesh &mesh = meshes_[from.mesh];
+        if (from.is_instanced && mesh.target_count != 0)
+            file_.warn(
+                base::text_of("nodes[%u] '%.60s' has instances of a mesh with morph targets: clips do not move "
+                              "these",
+                              node, from.name.c_str()));
+        if (from.is_instanced) return;
         const uint32_t morph_set = mesh.target_count ? add_morph_set(node) : none;
         static const std::vector<uint32_t> no_entries;
         const std::vector<uint32_t> &entries = from.skin != none ? entries_of(from.skin) : no_entries;

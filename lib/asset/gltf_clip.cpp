@@ -89,7 +89,7 @@ private:
         target.object();
         ChannelTarget path{};
         if (!path_of(target["path"], path)) return;
-        const uint32_t node = target["node"].index_or_none(tree_.nodes.size(), "node");
+        const uint32_t node = target["node"].index_or_none(tree_.file_count, "node");
         if (node == none) return;  // legal: an extension may define the target
         if (!taken.insert({node, path}).second)
             fail(CLQ_FORMAT, "%s: another channel of the same clip moves the same", target.path().c_str());

@@ -41,8 +41,17 @@ void check_version(const JsonView &asset)
 // Extensions that a file may require: those that are supported, those without a visible effect in GL 1.1, and those
 // that are checked where they are used.
 constexpr std::string_view followed[] = {
-    "KHR_mesh_quantization", "KHR_texture_transform", "KHR_lights_punctual", "KHR_xmp_json_ld", "KHR_xmp",
-    "EXT_texture_webp",      "KHR_texture_basisu",    "MSFT_texture_dds",    "EXT_texture_avif"};
+    "KHR_mesh_quantization",
+    "KHR_texture_transform",
+    "KHR_lights_punctual",
+    "KHR_xmp_json_ld",
+    "KHR_xmp",
+    "EXT_texture_webp",
+    "KHR_texture_basisu",
+    "MSFT_texture_dds",
+    "EXT_texture_avif",
+    "EXT_mesh_gpu_instancing",
+};
 
 bool is_followed(std::string_view name)
 {

@@ -98,6 +98,9 @@ void Materials::read(const JsonView &view)
     const JsonView texture = look[is_glossy ? "diffuseTexture" : "baseColorTexture"];
     if (texture.exists()) read_texture(texture, out, use);
     read_alpha(view, out);
+    const Light light = read_light(view);
+    out.lighting.unlit = light.unlit;
+    if (light.emits()) read_emission(light, out, use);
     materials_.push_back(out);
     uv_uses_.push_back(use);
     views_.push_back(view);
@@ -140,8 +143,8 @@ void Materials::read_alpha(const JsonView &view, Material &out)
 {
     const std::string mode = view["alphaMode"].text_or("OPAQUE");
     out.alpha_cutoff = view["alphaCutoff"].real_or(0.5f);
-    if (mode == "MASK") out.alpha_mode = model::AlphaMode::mask;
-    if (mode == "BLEND") file_.warn(base::text_of("material '%s' is transparent: drawn opaque", out.name.c_str()));
+    if (mode == "MASK" || mode == "BLEND") out.alpha_mode = model::AlphaMode::mask;
+    if (mode == "BLEND") out.alpha_cutoff = 0.5f, blended_.insert(static_cast<uint32_t>(materials_.size()));
     if (mode != "OPAQUE" && mode != "MASK" && mode != "BLEND")
         file_.warn(
             base::text_of("material '%s' has the alpha mode '%.40s': drawn opaque", out.name.c_str(), mode.c_str()));
@@ -165,6 +168,8 @@ uint32_t Materials::without_texture(uint32_t material)
     if (is_new) {
         Material bare = materials_[material];
         bare.image = none;
+        if (blended_.count(material)) blended_.insert(place->second);
+        if (glowing_.count(material)) glowing_.insert(place->second);
         materials_.push_back(bare);
         uv_uses_.emplace_back();
     }
@@ -251,7 +256,7 @@ uint32_t Materials::image_of_variant(uint32_t material, uint32_t other, const st
     if (model.images[image].alpha != model.images[own.image].alpha)
         return refuse("since only one of them has zone keys in its texture");
     if (own.base_colour != shown.base_colour || own.wrap_s != shown.wrap_s || own.wrap_t != shown.wrap_t ||
-        own.double_sided != shown.double_sided || own.alpha_mode != shown.alpha_mode)
+        own.double_sided != shown.double_sided || own.alpha_mode != shown.alpha_mode || own.lighting != shown.lighting)
         file_.warn(
             base::text_of("variant '%s': only the texture of material '%s' is used, everything else is from '%s'",
                           variant.c_str(), shown.name.c_str(), own.name.c_str()));
@@ -275,9 +280,11 @@ void Materials::finish(const std::vector<bool> &used, model::Model &model)
 {
     decode_images(used, model);
     mark_keyed(used, model);
+    settle_light(used, model);
     add_texture_sets(used, model);
     model.materials = std::move(materials_);
     add_material_zones(used, model);
+    keep_glow(used, model);
 }
 
 }  // namespace claque::asset

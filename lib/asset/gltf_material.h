@@ -1,11 +1,13 @@
-// Reads what GL 1.1 can show of materials: base colour, one texture, alpha test, sidedness.
+// Reads what GL 1.1 can show of materials: base colour, one texture, alpha test, sidedness, emission.
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
 #include <unordered_map>
 
 #include "lib/asset/gltf_file.h"
+#include "lib/asset/gltf_light.h"
 #include "lib/asset/gltf_variants.h"
 
 namespace claque::asset
@@ -53,6 +55,13 @@ private:
     void read(const JsonView &view);
     void read_texture(const JsonView &info, model::Material &out, UvUse &use);
     void read_alpha(const JsonView &view, model::Material &out);
+    bool has_picture(const JsonView &info) const;
+    void read_emission(const Light &light, model::Material &out, UvUse &use);
+    void add_emission_of_pictures(const std::vector<bool> &used, const model::Model &model);
+    void settle_blend(uint32_t material, const model::Model &model);
+    void name_unseen_looks(const std::vector<bool> &used);
+    void settle_light(const std::vector<bool> &used, model::Model &model);
+    void keep_glow(const std::vector<bool> &used, model::Model &model) const;
     uint32_t image_source(const JsonView &texture);
     void decode_images(const std::vector<bool> &used, model::Model &model);
     uint32_t decoded(uint32_t source, model::Model &model);  // none if its file is missing
@@ -66,6 +75,13 @@ private:
     std::vector<UvUse> uv_uses_;
     std::vector<JsonView> views_;
     std::map<uint32_t, uint32_t> untextured_;  // copies without a texture
+    std::set<uint32_t> blended_;               // of alpha mode BLEND
+    std::set<uint32_t> glowing_;               // whose base colour is their emission
+    struct EmissionPicture {
+        std::array<float, 3> factor;
+        uint32_t image;  // of the file
+    };
+    std::map<uint32_t, EmissionPicture> emission_pictures_;  // that differ from the base colour's, by material
     uint32_t default_ = none;
     Variants variants_;
     std::vector<uint32_t> sources_;                     // by image of the model: the image of the file

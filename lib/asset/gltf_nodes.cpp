@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/asset/gltf_instances.h"
 #include "lib/asset/node_matrix.h"
 
 namespace claque::asset
@@ -158,8 +159,10 @@ NodeTree read_nodes(File &file)
     file.budget.charge(list.count() * sizeof(FileNode), "the list of nodes");
     tree.nodes.reserve(list.count());
     for (size_t i = 0; i < list.count(); ++i) tree.nodes.push_back(read_node(list.at(i), file, list.count()));
+    tree.file_count = tree.nodes.size();
     link_parents(tree);
     choose_scene(tree, file);
+    add_instances(file, tree);
     return tree;
 }
 

@@ -18,14 +18,16 @@ struct FileNode {
     math::Trs rest;
     bool has_matrix = false;
     uint32_t mesh = none, skin = none;
+    bool is_instanced = false;           // its mesh is shown by nodes of its own below it
     std::vector<float> morph_weights;    // the node's own weights; empty: those of its mesh
     std::unique_ptr<NodeExtras> extras;  // null: none
 };
 
-// Node indices are those of the file. Every node has at most one parent and there are no cycles, inside the scene or
-// outside.
+// Node indices are those of the file; after its own come nodes for instances (gltf_instances.h). Every node has at most
+// one parent and there are no cycles, inside the scene or outside.
 struct NodeTree {
     std::vector<FileNode> nodes;
+    size_t file_count = 0;        // of the file's own
     std::vector<uint32_t> scene;  // root nodes of the shown scene, in file order
 
     // The nodes of the scene, depth first, children in file order.

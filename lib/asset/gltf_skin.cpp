@@ -27,8 +27,8 @@ Skin read_skin(const JsonView &view, File &file, const NodeTree &tree)
     Skin skin;
     const JsonView joints = view["joints"], binds = view["inverseBindMatrices"];
     if (joints.count() == 0) fail(CLQ_FORMAT, "%s is missing or empty", joints.path().c_str());
-    view["skeleton"].index_or_none(tree.nodes.size(), "node");
-    for (size_t i = 0; i < joints.count(); ++i) skin.joints.push_back(joints.at(i).index(tree.nodes.size(), "node"));
+    view["skeleton"].index_or_none(tree.file_count, "node");
+    for (size_t i = 0; i < joints.count(); ++i) skin.joints.push_back(joints.at(i).index(tree.file_count, "node"));
     skin.inverse_binds.resize(skin.joints.size());
     if (!binds.exists()) return skin;
     const uint32_t index = file.accessors.reference(binds);

@@ -71,9 +71,14 @@ TEST(Material, SamplersSetTheWrapAndAlphaModesTheirTest)
     EXPECT_EQ(material.alpha_mode, model::AlphaMode::mask);
     EXPECT_EQ(material.alpha_cutoff, 0.25f);
     EXPECT_TRUE(material.double_sided);
-    maker.json["materials"][0]["alphaMode"] = "BLEND";
+    maker.json["materials"][0].update({{"alphaMode", "BLEND"}, {"alphaCutoff", 0.9}});
+    const model::Model opaque = load(maker.glb());
+    EXPECT_EQ(opaque.materials[0].alpha_mode, model::AlphaMode::opaque);
+    EXPECT_EQ(opaque.warnings.size(), 0u);
+    maker.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.7};
     const model::Model blended = load(maker.glb());
-    EXPECT_EQ(blended.materials[0].alpha_mode, model::AlphaMode::opaque);
+    EXPECT_EQ(blended.materials[0].alpha_mode, model::AlphaMode::mask);
+    EXPECT_EQ(blended.materials[0].alpha_cutoff, 0.5f);
     EXPECT_EQ(blended.warnings.size(), 1u);
 }
 

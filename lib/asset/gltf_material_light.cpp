@@ -1,0 +1,149 @@
+// How materials act with light and alpha: emission, BLEND, and the looks that GL 1.1 lacks.
+#include <algorithm>
+
+#include "lib/asset/decoders.h"
+#include "lib/asset/gltf_image.h"
+#include "lib/asset/gltf_material.h"
+#include "lib/math/hsb.h"
+
+namespace claque::asset
+{
+
+using model::Material;
+
+namespace
+{
+
+// Leaves the zone its colour alone as a range.
+void keep_colour(model::Zone &zone)
+{
+    const double rgb[3] = {double(zone.colour[0]), double(zone.colour[1]), double(zone.colour[2])};
+    double hsb[3];
+    math::rgb_to_hsb(rgb, hsb);
+    const float hue = static_cast<float>(hsb[0]), saturation = static_cast<float>(hsb[1]);
+    zone.range = {hue, hue, saturation, saturation, static_cast<float>(hsb[2]), static_cast<float>(hsb[2])};
+}
+
+}  // namespace
+
+// Whether the library reads the picture of a texture.
+bool Materials::has_picture(const JsonView &info) const
+{
+    const JsonView textures = file_.root["textures"];
+    const JsonView texture = textures.at(info["index"].index(textures.count(), "texture"));
+    const bool is_webp = texture["extensions"]["EXT_texture_webp"].exists();
+    return texture["source"].exists() || (is_webp && has_decoder(Decoder::webp));
+}
+
+// Emission on black does not depend on light, and is the colour and the texture of a material without lighting. So is
+// a picture of emission on nearly black: screens have that. On other colours GL adds emission to the light, before the
+// texture multiplies both.
+void Materials::read_emission(const Light &light, Material &out, UvUse &use)
+{
+    if (light.texture.exists() && !has_picture(light.texture)) {
+        file_.warn(base::text_of("material '%s' emits by a picture that is not read: shown without its emission",
+                                 out.name.c_str()));
+        return;
+    }
+    const uint32_t index = static_cast<uint32_t>(materials_.size());
+    constexpr float nearly_black = 0.1f;
+    const float base = *std::max_element(out.base_colour.begin(), out.base_colour.begin() + 3);
+    const bool is_black = base <= (light.texture.exists() ? nearly_black : 0.0f);
+    if (is_black && (out.image == none || out.alpha_mode == model::AlphaMode::opaque)) {
+        out.lighting.unlit = true;
+        std::copy(light.emission.begin(), light.emission.end(), out.base_colour.begin());
+        out.image = none, use = UvUse();
+        glowing_.insert(index);
+        if (light.texture.exists()) read_texture(light.texture, out, use);
+        return;
+    }
+    Material shown;
+    UvUse mapping;
+    if (light.texture.exists()) read_texture(light.texture, shown, mapping);
+    const bool same = shown.image == out.image && mapping.set == use.set && shown.wrap_s == out.wrap_s &&
+                      shown.wrap_t == out.wrap_t &&
+                      std::equal(use.transform.m, use.transform.m + 6, mapping.transform.m);
+    if (shown.image != none && !same) {
+        emission_pictures_[index] = {light.emission, shown.image};
+        return;
+    }
+    out.lighting.emission = light.emission;
+    if (out.image != none && shown.image == none)
+        file_.warn(base::text_of("material '%s' emits one colour over a picture: the picture darkens its emission",
+                                 out.name.c_str()));
+}
+
+// A picture of one colour is a factor; any other would have to be added to what light makes of the base colour.
+void Materials::add_emission_of_pictures(const std::vector<bool> &used, const model::Model &model)
+{
+    for (const auto &[index, picture] : emission_pictures_) {
+        if (!used[index]) continue;
+        const auto known = decoded_.find(picture.image);
+        const bool is_kept = known != decoded_.end() && known->second != none;
+        std::optional<model::Image> image;
+        if (is_kept) image = model.images[known->second];
+        else image = read_image(file_, picture.image);
+        std::array<float, 3> colour = {0, 0, 0};
+        if (!image) continue;
+        if (!has_one_colour(*image, colour)) {
+            file_.warn(
+                base::text_of("material '%s' emits by a picture over a lit colour, which GL 1.1 cannot add: "
+                              "shown without its emission",
+                              materials_[index].name.c_str()));
+            continue;
+        }
+        for (size_t k = 0; k < 3; ++k) materials_[index].lighting.emission[k] = picture.factor[k] * colour[k];
+    }
+}
+
+// Many files say BLEND where nothing is transparent.
+void Materials::settle_blend(uint32_t index, const model::Model &model)
+{
+    Material &material = materials_[index];
+    AlphaExtent alpha;
+    if (material.image != none) {
+        const model::Image &image = model.images[material.image];
+        if (image.alpha == model::AlphaMeaning::opacity) alpha = alpha_extent_of(image);
+    }
+    constexpr float opaque = 0.99f;
+    const bool is_opaque = alpha.least * material.base_colour[3] >= opaque;
+    const bool is_wanted = file_.options.blend == Blend::opaque;
+    if (is_opaque || is_wanted) material.alpha_mode = model::AlphaMode::opaque;
+    if (is_opaque) return;
+    const char *shown = is_wanted ? "drawn opaque"
+                        : alpha.most * material.base_colour[3] < material.alpha_cutoff
+                            ? "left out, as its alpha is below 0.5 everywhere; --blend opaque "
+                              "(clq_asset_options.blend) shows it"
+                            : "drawn where its alpha is 0.5 and more, and there opaque; --blend opaque "
+                              "(clq_asset_options.blend) shows all of it";
+    file_.warn(base::text_of("material '%s' is transparent: %s", material.name.c_str(), shown));
+}
+
+void Materials::name_unseen_looks(const std::vector<bool> &used)
+{
+    std::vector<std::string> names;
+    for (size_t i = 0; i < views_.size(); ++i)
+        if (used[i]) note_unseen_looks(views_[i], names);
+    if (names.empty()) return;
+    std::string list;
+    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
+    file_.warn(base::text_of("materials are shown without %.400s", list.c_str()));
+}
+
+void Materials::settle_light(const std::vector<bool> &used, model::Model &model)
+{
+    add_emission_of_pictures(used, model);
+    for (const uint32_t material : blended_)
+        if (used[material]) settle_blend(material, model);
+    name_unseen_looks(used);
+}
+
+// Nobody dyes a light.
+void Materials::keep_glow(const std::vector<bool> &used, model::Model &model) const
+{
+    for (const uint32_t material : glowing_)
+        if (used[material] && model.materials[material].zone != none)
+            keep_colour(model.zones[model.materials[material].zone]);
+}
+
+}  // namespace claque::asset
