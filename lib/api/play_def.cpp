@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/api/boundary.h"
+#include "lib/base/near_names.h"
 #include "lib/crowd/edits.h"
 #include "lib/crowd/gait.h"
 
@@ -85,7 +86,9 @@ crowd::MaskOf mask_of(const clq_mask_def &def, const model::Template &tmpl, std:
     for (uint32_t i = 0; i < def.node_count; ++i) {
         if (!def.nodes[i]) fail(CLQ_ARGUMENT, "name %u of a mask is NULL", i);
         const uint32_t node = rig.find_node(def.nodes[i]);
-        if (node == none) fail(CLQ_ARGUMENT, "template '%s' has no node '%s'", tmpl.name.c_str(), def.nodes[i]);
+        if (node == none)
+            fail(CLQ_ARGUMENT, "template '%s' has no node '%s'%s", tmpl.name.c_str(), def.nodes[i],
+                 base::names_near(def.nodes[i], rig.node_names).c_str());
         depth[node] = 1;
     }
     model::Array<float> weights(rig.node_count(), 0.0f, memory);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/base/near_names.h"
+
 namespace claque::asset
 {
 
@@ -52,7 +54,8 @@ uint32_t read_root(const JsonView &view, const model::Rig &rig, File &file)
         for (uint32_t n = 0; n < rig.node_count(); ++n) file.node_of_name.emplace(rig.node_names[n], n);
     const auto found = file.node_of_name.find(name);
     if (found == file.node_of_name.end())
-        fail(CLQ_FORMAT, "%s is '%.60s': no node of the character is called that", view.path().c_str(), name.c_str());
+        fail(CLQ_FORMAT, "%s is '%.60s': no node of the character is called that%s", view.path().c_str(), name.c_str(),
+             base::names_near(name, rig.node_names).c_str());
     return found->second;
 }
 

@@ -8,6 +8,7 @@
 #include "lib/asset/toml_keys.h"
 #include "lib/asset/toml_number.h"
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 #include "lib/math/hsb.h"
 #include "lib/model/colour_rules.h"
 
@@ -95,11 +96,10 @@ private:
 
     void known(const toml::table &in, std::initializer_list<std::string_view> keys) const
     {
-        std::string names;
-        for (const std::string_view key : keys) names += (names.empty() ? "" : ", ") + std::string(key);
         for (const auto &[key, node] : in)
             if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
-                refuse(key.source(), "'" + std::string(key.str()) + "' is not known here; there are: " + names);
+                refuse(key.source(),
+                       "'" + std::string(key.str()) + "' is not known here" + base::names_near(key.str(), keys));
     }
 
     void read_class(const toml::table &from)

@@ -3,6 +3,7 @@
 #include <cstring>
 
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 #include "lib/crowd/colour_sample.h"
 #include "lib/model/colour_rules.h"
 
@@ -111,10 +112,8 @@ uint32_t ColourRecipe::zone_named(const model::Template &tmpl, const char *name,
 {
     for (uint32_t zone = 0; zone < tmpl.zone_count(); ++zone)
         if (tmpl.zone_names[zone] == name) return zone;
-    std::string names;
-    for (const std::pmr::string &one : tmpl.zone_names) names += (names.empty() ? "" : ", ") + std::string(one);
-    fail(CLQ_ARGUMENT, "class '%s' names the zone '%s', and template '%s' has none; there are: %s", by.name, name,
-         tmpl.name.c_str(), names.c_str());
+    fail(CLQ_ARGUMENT, "class '%s' names the zone '%s', and template '%s' has none%s", by.name, name, tmpl.name.c_str(),
+         base::names_near(name, tmpl.zone_names).c_str());
 }
 
 void ColourRecipe::sample(uint32_t zone, uint64_t crowd_seed, uint64_t seed, double out_rgb[3]) const

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 #include "lib/math/slerp.h"
 
 namespace claque::retarget
@@ -59,11 +60,13 @@ std::vector<FollowerBinding> match_followers(const model::Rig &target, const std
     for (const Follower &follower : options.followers) {
         const uint32_t joint = target.find_node(follower.joint), leader = target.find_node(follower.leader);
         if (joint == none || match_of[joint] != none)
-            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s': it is %s", follower.joint.c_str(), follower.leader.c_str(),
-                 joint == none ? "not a joint of the character" : "bound itself");
+            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s': it is %s%s", follower.joint.c_str(), follower.leader.c_str(),
+                 joint == none ? "not a joint of the character" : "bound itself",
+                 joint == none ? base::names_near(follower.joint, target.node_names).c_str() : "");
         if (leader == none || match_of[leader] == none)
-            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s', which is not bound", follower.joint.c_str(),
-                 follower.leader.c_str());
+            fail(CLQ_ARGUMENT, "'%s' cannot follow '%s', which is not bound%s", follower.joint.c_str(),
+                 follower.leader.c_str(),
+                 leader == none ? base::names_near(follower.leader, target.node_names).c_str() : "");
         if (!(follower.share >= 0 && follower.share <= 1))
             fail(CLQ_ARGUMENT, "'%s' follows with a share of %g: it must be from 0 to 1", follower.joint.c_str(),
                  follower.share);

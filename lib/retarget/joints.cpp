@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 #include "lib/retarget/human_bones.h"
 
 namespace claque::retarget
@@ -20,12 +21,16 @@ namespace
 
 constexpr size_t max_listed = 12;
 
-// For example "3 joints of the map not in the character: a, b, c".
-void warn(std::vector<std::string> &warnings, const std::vector<std::string> &names, const char *what)
+// For example "3 joints of the map not in the character: Hip ('Hips' is near), b, c". `there`: looks for near names.
+void warn(std::vector<std::string> &warnings, const std::vector<std::string> &names, const char *what,
+          const model::Rig *there = nullptr)
 {
     if (names.empty()) return;
     std::string text = std::to_string(names.size()) + (names.size() == 1 ? " joint " : " joints ") + what + ":";
-    for (size_t i = 0; i < names.size() && i < max_listed; ++i) text += (i == 0 ? " " : ", ") + names[i];
+    for (size_t i = 0; i < names.size() && i < max_listed; ++i) {
+        const std::string near = there ? base::near_names(names[i], there->node_names) : "";
+        text += (i == 0 ? " " : ", ") + names[i] + (near.empty() ? "" : " (" + near + ")");
+    }
     if (names.size() > max_listed) text += " ...";
     warnings.push_back(text);
 }
@@ -47,8 +52,8 @@ std::vector<JointMatch> by_map(const model::Rig &target, const model::Rig &sourc
                  place->second.c_str(), pair.source.c_str());
         out.push_back(match);
     }
-    warn(warnings, not_in_source, "of the map not in the clips' skeleton");
-    warn(warnings, not_in_target, "of the map not in the character");
+    warn(warnings, not_in_source, "of the map not in the clips' skeleton", &source);
+    warn(warnings, not_in_target, "of the map not in the character", &target);
     return out;
 }
 

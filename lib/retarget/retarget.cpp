@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 #include "lib/retarget/new_clips.h"
 #include "lib/retarget/pose_check.h"
 #include "lib/retarget/source_rest.h"
@@ -35,7 +36,8 @@ std::vector<uint32_t> wanted_clips(const model::Rig &source, const Options &opti
     for (const std::string &name : options.clips) {
         out.push_back(source.find_clip(name));
         if (out.back() == none)
-            fail(CLQ_ARGUMENT, "there is no clip '%s' among the %zu clips", name.c_str(), source.clips.size());
+            fail(CLQ_ARGUMENT, "there is no clip '%s' among the %zu clips%s", name.c_str(), source.clips.size(),
+                 base::names_near(name, source.clip_names).c_str());
     }
     return out;
 }

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include "samples/io/near_names.h"
+#include "samples/scenes/template_names.h"
+
 namespace cli
 {
 
@@ -28,12 +31,7 @@ NamedClip clip_named(const clq_template *tmpl, const std::string &name)
         out.length_s = static_cast<double>(info.duration_s);
         return out;
     }
-    std::string all;
-    for (uint32_t i = 0; i < info_of(tmpl).clip_count; ++i) {
-        check(clq_template_get_clip(tmpl, i, &info));
-        all += (i > 0 ? ", " : "") + std::string(info.name);
-    }
-    throw scenes::Failure("no clip is called '" + name + "'; there " + (all.empty() ? "are none" : "are " + all));
+    throw scenes::Failure("no clip is called '" + name + "'" + io::names_near(name, scenes::names_of_clips(tmpl)));
 }
 
 clq_play play_of(const NamedClip &clip, double start_s)

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "samples/cli/label_scene.h"
-#include "samples/io/joined.h"
+#include "samples/io/near_names.h"
 #include "samples/labels/variation/haze.h"
 #include "samples/labels/variation/jpeg.h"
 #include "samples/labels/variation/noise.h"
@@ -89,8 +89,7 @@ void VariedScene::check_rules() const
         if (described)
             for (const scenes::SocialClass &one : described->characters) all.push_back(one.name);
         if (std::find(all.begin(), all.end(), name) == all.end())
-            refuse("people.classes." + name, all.empty() ? "has no classes of people"
-                                                         : "has no class '" + name + "'; there are " + io::joined(all));
+            refuse("people.classes." + name, "has no class '" + name + "'" + io::names_near(name, all));
     }
     const std::string scene = scene_of(arguments_);
     const bool lit = described ? !described->town : scene == "plaza";

@@ -1,5 +1,7 @@
 #include "samples/scenes/scene.h"
 
+#include "samples/io/near_names.h"
+
 namespace scenes
 {
 
@@ -28,12 +30,12 @@ const std::vector<SceneEntry> &scene_entries()
 std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character)
 {
-    std::string names;
+    std::vector<std::string> names;
     for (const SceneEntry &entry : scene_entries()) {
         if (name == entry.name) return entry.make(library, crowd_options, character);
-        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+        names.emplace_back(entry.name);
     }
-    throw Failure("there is no scene '" + name + "'; there are: " + names);
+    throw Failure("there is no scene '" + name + "'" + io::names_near(name, names));
 }
 
 }  // namespace scenes

@@ -242,7 +242,7 @@ TEST_F(VariedLabels, RefuseRulesThatASceneCannotFollow)
     refused("[people]\ncount = 5", {"--scenario", corridor},
             "2:9: the scene 'corridor' says itself how many people there are");
     refused("[people]\nclasses = { senators = 1 }", {"--scene", "odeon"},
-            "2:24: the scene 'odeon' has no class 'senators'; there are decurions, patricians, plebeians");
+            "2:24: the scene 'odeon' has no class 'senators'; there are: decurions, patricians, plebeians");
     refused("[people]\nclasses = { senators = 1 }", {"--scene", "plaza"},
             "2:24: the scene 'plaza' has no classes of people");
     refused("[light]\nsun = 0.5", {"--scene", "vehicle"},

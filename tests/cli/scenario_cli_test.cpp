@@ -262,7 +262,7 @@ TEST_F(ScenarioCommand, WhatTheLibraryFindsInItsFilesIsSaidWithTheirPlace)
 {
     for (const auto &[was, is, says] : std::vector<std::array<std::string, 3>>{
              {"rate_hz = 2", "", "mine.toml:6:1: "},
-             {"walk = \"walk\"", "walk = \"fly\"", "the character plebeian has no clip named fly; it has: stand"},
+             {"walk = \"walk\"", "walk = \"fly\"", "the character plebeian has no clip named fly; there are: stand"},
              {"\"corner.wkt\"", "\"corner.csv\"", "mine.toml:29:8: "},
              {"tunic", "kilt", "the workers have a palette for 'kilt'"},
              {"character = \"citizen\"", "character = \"senator\"", "senator"}}) {

@@ -95,7 +95,7 @@ TEST(Rules, ThatAreWrongAreRefusedAtTheirPlace)
         {"[light]\nhour = nan", "r.toml:2:8: [light] has 'hour' = nan, which is not finite"},
         {"[light]\nhour = \"noon\"", "r.toml:2:8: [light] has 'hour' = a string instead of a number"},
         {"[lights]\nhour = 6",
-         "the file of rules has an unknown key 'lights'; there are: camera, haze, light, people, sensor"},
+         "the file of rules has an unknown key 'lights': 'light' is near"},
         {"[camera]\nfov = 6", "[camera] has an unknown key 'fov'"},
         {"[people]\ncolours = [\"gone.toml\"]",
          "r.toml:2:11: [people] names a file in 'colours' that cannot be read: maps/gone.toml could not be opened"},

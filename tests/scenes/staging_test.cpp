@@ -95,9 +95,9 @@ TEST(Staging, HasItsPlacesGroundDoorsAndAgents)
 TEST(Staging, ThatNamesWhatIsNotThereIsRefusedAtTheName)
 {
     expect_refused(hall_with("\"guests\"\nmachine", "\"ghosts\"\nmachine"),
-                   {"[[agents]] 1", "'ghosts'", "there are: guests"});
+                   {"[[agents]] 1", "'ghosts'", "'guests' is near"});
     expect_refused(hall_with("[\"far gate\"]", "[\"no gate\"]"),
-                   {"[[agents]] 1", "'exits'", "'no gate'", "it has: far gate, gate"});
+                   {"[[agents]] 1", "'exits'", "'no gate'", "'gate'"});
     expect_refused(hall_with("[\"gate\", \"far gate\"]", "[]"), {"[[agents]] 2", "'from' without a place"});
     expect_refused(hall_with("guest.toml", "none.toml"), {"[[agents]] 1", "'machine'", "none.toml is absent"});
     expect_refused(hall_with("alarm.toml", "none.toml"), {"mine.toml:5:13", "'timetable'", "none.toml is absent"});
@@ -130,7 +130,7 @@ TEST(Staging, WithNumbersThatMeanNothingIsRefused)
     expect_refused(hall_with("count = 20", "count = 16000"), {"[[agents]] 2", "16005 people", "at most 16000"});
     expect_refused(hall_with("count = 20", "count = 0"), {"[[agents]] 1", "'count' = 0"});
     expect_refused(hall_with("rectangle", "rectangles"), {"[navigation]", "where people walk"});
-    expect_refused(hall_with("count = 20", "counts = 20"), {"[[agents]] 1", "unknown key 'counts'", "machine"});
+    expect_refused(hall_with("count = 20", "counts = 20"), {"[[agents]] 1", "unknown key 'counts'", "'count' is near"});
     expect_refused(hall_with("[[agents]]", "[[doors]]\nname = \"west\"\narea = [2.0, 2.0, 3.0, 3.0]\n[[agents]]"),
                    {"[[doors]] 2", "a second door 'west'"});
 }

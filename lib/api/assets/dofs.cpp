@@ -3,6 +3,7 @@
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/dof_def.h"
+#include "lib/base/near_names.h"
 
 using namespace claque;
 
@@ -13,8 +14,9 @@ void add(const clq_asset_dof &def, uint32_t index, model::Rig &rig)
 {
     const uint32_t node = rig.find_node(api::name_of(def.node_name));
     if (node == model::none)
-        base::fail(CLQ_ARGUMENT, "degree of freedom %u '%s' is of the node '%s', which does not exist", index,
-                   api::name_of(def.dof.name), api::name_of(def.node_name));
+        base::fail(CLQ_ARGUMENT, "degree of freedom %u '%s' is of the node '%s', which does not exist%s", index,
+                   api::name_of(def.dof.name), api::name_of(def.node_name),
+                   base::names_near(api::name_of(def.node_name), rig.node_names).c_str());
     rig.dofs.push_back(api::dof_of(def.dof, rig, node, index));
     rig.dof_names.emplace_back(api::name_of(def.dof.name));
 }

@@ -7,6 +7,7 @@
 
 #include "lib/stage/api/boundary.h"
 #include "lib/stage/api/stage_handle.h"
+#include "lib/stage/near_names.h"
 
 using namespace claque;
 using stage::fail;
@@ -159,7 +160,9 @@ clq_status clq_stage_get_variable(const clq_stage *stage, clq_agent agent, const
             *out = of_crowd ? director.crowd[i] : i < of->variables.size() ? of->variables[i] : all[i].initial;
             return;
         }
-        fail(CLQ_ARGUMENT, "there is no variable '%s'", name);
+        std::vector<std::string_view> names;
+        for (const stage::Variable &one : all) names.emplace_back(one.name);
+        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, stage::names_near(name, names).c_str());
     });
 }
 

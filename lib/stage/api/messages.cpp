@@ -6,6 +6,7 @@
 
 #include "lib/stage/api/boundary.h"
 #include "lib/stage/api/stage_handle.h"
+#include "lib/stage/near_names.h"
 
 using namespace claque;
 using stage::fail;
@@ -69,7 +70,11 @@ void find_variable(const Directory &directory, clq_agent agent, const char *name
     }
     const auto found =
         std::find_if(all->begin(), all->end(), [&](const stage::Variable &one) { return one.name == name; });
-    if (found == all->end()) fail(CLQ_ARGUMENT, "there is no variable '%s'", name);
+    if (found == all->end()) {
+        std::vector<std::string_view> names;
+        for (const stage::Variable &one : *all) names.emplace_back(one.name);
+        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, stage::names_near(name, names).c_str());
+    }
     if (found->type == stage::Type::truth && value != 0 && value != 1)
         fail(CLQ_ARGUMENT, "the variable '%s' is true or false: 0 or 1 is wanted, not %g", name, value);
     task.index = static_cast<uint32_t>(found - all->begin());

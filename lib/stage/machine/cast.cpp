@@ -3,6 +3,7 @@
 #include <claque/template_info.h>
 
 #include "lib/stage/error.h"
+#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -15,6 +16,33 @@ void must(clq_status status)
     if (status != CLQ_OK) throw Error(status, clq_last_error());
 }
 
+// Their names live as long as the template.
+std::vector<std::string_view> clips_of(const clq_template *tmpl)
+{
+    std::vector<std::string_view> all;
+    clq_clip_info info = clq_clip_info_init();
+    while (clq_template_get_clip(tmpl, static_cast<uint32_t>(all.size()), &info) == CLQ_OK) all.emplace_back(info.name);
+    return all;
+}
+
+std::vector<std::string_view> markers_of(const clq_template *tmpl)
+{
+    std::vector<std::string_view> all;
+    clq_marker_info info = clq_marker_info_init();
+    while (clq_template_get_marker(tmpl, static_cast<uint32_t>(all.size()), &info) == CLQ_OK)
+        all.emplace_back(info.name);
+    return all;
+}
+
+std::vector<std::string_view> nodes_of(const clq_template *tmpl)
+{
+    std::vector<std::string_view> all;
+    clq_template_info info = clq_template_info_init();
+    must(clq_template_get_info(tmpl, &info));
+    for (uint32_t i = 0; i < info.node_count; ++i) all.emplace_back(clq_template_get_node_name(tmpl, i));
+    return all;
+}
+
 void find_clips(const Machine &machine, const Document &document, const MachineReader &reader, const char *of,
                 Cast &out)
 {
@@ -22,7 +50,8 @@ void find_clips(const Machine &machine, const Document &document, const MachineR
         const std::string &name = machine.clip_names[i];
         const uint32_t clip = clq_template_find_clip(out.tmpl, name.c_str());
         if (clip == CLQ_NONE)
-            document.refuse(*reader.clip_nodes[i], "the template '" + std::string(of) + "' has no clip '" + name + "'");
+            document.refuse(*reader.clip_nodes[i], "the template '" + std::string(of) + "' has no clip '" + name + "'" +
+                                                       names_near(name, clips_of(out.tmpl)));
         clq_clip_info info = clq_clip_info_init();
         must(clq_template_get_clip(out.tmpl, clip, &info));
         out.clips.push_back(clip);
@@ -63,13 +92,16 @@ Cast find_parts(const CastDef &def, const Machine &machine, const Document &docu
         if (!found)
             document.refuse(*reader.marker_nodes[i], "no clip that the machine plays has a marker '" +
                                                          machine.marker_names[i] + "' in the template '" +
-                                                         std::string(info.name) + "'");
+                                                         std::string(info.name) + "'" +
+                                                         names_near(machine.marker_names[i], markers_of(def.tmpl)));
     }
     for (size_t i = 0; i < machine.masks.size(); ++i)
         for (size_t k = 0; k < machine.masks[i].nodes.size(); ++k)
             if (clq_template_find_node(def.tmpl, machine.masks[i].nodes[k].c_str()) == CLQ_NONE)
-                document.refuse(*reader.mask_nodes[i][k], "the template '" + std::string(info.name) +
-                                                              "' has no node '" + machine.masks[i].nodes[k] + "'");
+                document.refuse(*reader.mask_nodes[i][k],
+                                "the template '" + std::string(info.name) + "' has no node '" +
+                                    machine.masks[i].nodes[k] + "'" +
+                                    names_near(machine.masks[i].nodes[k], nodes_of(def.tmpl)));
     return out;
 }
 

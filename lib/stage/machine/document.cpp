@@ -6,6 +6,7 @@
 #include "lib/stage/error.h"
 #include "lib/stage/machine/toml_keys.h"
 #include "lib/stage/machine/toml_number.h"
+#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -116,11 +117,9 @@ std::vector<std::pair<std::string, const toml::node *>> Document::strings(const 
 
 void Document::known(const toml::table &in, std::initializer_list<std::string_view> keys) const
 {
-    std::string names;
-    for (const std::string_view key : keys) names += (names.empty() ? "" : ", ") + std::string(key);
     for (const auto &[key, node] : in_order(in))
         if (std::find(keys.begin(), keys.end(), key->str()) == keys.end())
-            refuse(key->source(), "'" + std::string(key->str()) + "' is not known here; there are: " + names);
+            refuse(key->source(), "'" + std::string(key->str()) + "' is not known here" + names_near(key->str(), keys));
 }
 
 std::vector<std::pair<const toml::key *, const toml::node *>> Document::in_order(const toml::table &from) const

@@ -73,7 +73,7 @@ public:
     virtual Found variable(std::string_view name) const = 0;
     virtual Found crowd_variable(std::string_view name) const = 0;
     virtual uint32_t agent_class(std::string_view name) = 0;
-    virtual std::string known() const = 0;  // names of variables, for messages
+    virtual std::string near(std::string_view name) const = 0;  // variables, for messages: near_names.h
 };
 
 struct BadExpression {

@@ -3,6 +3,7 @@
 
 #include "lib/stage/error.h"
 #include "lib/stage/machine/reader.h"
+#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -111,7 +112,10 @@ void MachineReader::read_gesture(const toml::table &from, Action &made)
     const std::string name = doc_.string(*mask, "mask");
     for (size_t i = 0; i < out_.masks.size(); ++i)
         if (out_.masks[i].name == name) made.mask = static_cast<uint32_t>(i);
-    if (made.mask == none) doc_.refuse(*mask, "there is no mask '" + name + "' in [masks]");
+    if (made.mask != none) return;
+    std::vector<std::string_view> names;
+    for (const auto &one : out_.masks) names.emplace_back(one.name);
+    doc_.refuse(*mask, "there is no mask '" + name + "' in [masks]" + names_near(name, names));
 }
 
 void MachineReader::read_set(const toml::table &from, Action &made)
@@ -121,7 +125,8 @@ void MachineReader::read_set(const toml::table &from, Action &made)
     const std::string name = doc_.string(node, "set");
     made.of_crowd = name.compare(0, 6, "crowd.") == 0;
     const Found found = made.of_crowd ? crowd_variable(name.substr(6)) : variable(name);
-    if (found.index == none) doc_.refuse(node, "there is no variable '" + name + "' to set");
+    if (found.index == none)
+        doc_.refuse(node, "there is no variable '" + name + "' to set" + near(name));
     made.variable = found.index;
     const toml::node *to = from.get("to");
     if (!to) doc_.refuse(from, "'set' needs 'to'");
@@ -143,9 +148,11 @@ uint32_t MachineReader::event_named(const toml::node &from, const std::string &w
     const uint32_t found = shared_.find_event(name);
     const toml::node *own = doc_.root().get("events");
     const bool declared = own && own->is_table() && own->as_table()->contains(name);
-    if (found == none || (found >= built_in_events && !declared))
-        doc_.refuse(from, "there is no event '" + name + "' in [events]");
-    return found;
+    if (found != none && (found < built_in_events || declared)) return found;
+    std::vector<std::string_view> names;
+    if (own && own->is_table())
+        for (const auto &[key, node] : *own->as_table()) names.emplace_back(key.str());
+    doc_.refuse(from, "there is no event '" + name + "' in [events]" + names_near(name, names));
 }
 
 void MachineReader::read_send(const toml::table &from, Action &made)
@@ -198,7 +205,11 @@ void MachineReader::read_go(const toml::table &from, Action &made)
         return;
     }
     const auto place = places_.find(word);
-    if (place == places_.end()) doc_.refuse(node, "there is no place '" + word + "' in [places]");
+    if (place == places_.end()) {
+        std::vector<std::string_view> names;
+        for (const auto &[one, at] : places_) names.emplace_back(one);
+        doc_.refuse(node, "there is no place '" + word + "' in [places]" + names_near(word, names));
+    }
     doc_.point(*place->second, word, made.point);
 }
 
@@ -209,7 +220,8 @@ void MachineReader::read_call(const toml::table &from, Action &made)
     const std::string name = doc_.string(node, "call");
     const auto found = std::find(shared_.actions.begin(), shared_.actions.end(), name);
     if (found == shared_.actions.end())
-        doc_.refuse(node, "there is no action '" + name + "' of the host (clq_stage_add_action)");
+        doc_.refuse(node, "there is no action '" + name + "' of the host (clq_stage_add_action)" +
+                              names_near(name, shared_.actions));
     made.variable = static_cast<uint32_t>(found - shared_.actions.begin());
     made.value = quantity(from, "value", 0, -1e300, 1e300);
 }

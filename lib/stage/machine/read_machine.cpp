@@ -6,6 +6,7 @@
 #include "lib/stage/hash.h"
 #include "lib/stage/machine/cast.h"
 #include "lib/stage/machine/reader.h"
+#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -158,12 +159,13 @@ Names::Found MachineReader::crowd_variable(std::string_view name) const
     return {};
 }
 
-std::string MachineReader::known() const
+std::string MachineReader::near(std::string_view name) const
 {
-    std::string all;
-    for (const Variable &one : out_.variables) all += one.name + ", ";
-    for (const uint32_t i : own_crowd_) all += "crowd." + shared_.crowd[i].name + ", ";
-    return all + "time, clock, value, distance, in_view, walking";
+    std::vector<std::string> all;
+    for (const Variable &one : out_.variables) all.push_back(one.name);
+    for (const uint32_t i : own_crowd_) all.push_back("crowd." + shared_.crowd[i].name);
+    all.insert(all.end(), {"time", "clock", "value", "distance", "in_view", "walking"});
+    return names_near(name, all);
 }
 
 std::unique_ptr<Machine> read_machine(std::string_view text, const std::string &name, const std::vector<CastDef> &casts,

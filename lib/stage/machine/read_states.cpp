@@ -1,5 +1,6 @@
 #include "lib/stage/error.h"
 #include "lib/stage/machine/reader.h"
+#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -59,7 +60,11 @@ uint32_t MachineReader::initial_of(uint32_t parent, const toml::node &from) cons
 uint32_t MachineReader::state_named(const std::string &name, const toml::node &at) const
 {
     const auto found = states_.find(name);
-    if (found == states_.end()) doc_.refuse(at, "there is no state '" + name + "'");
+    if (found == states_.end()) {
+        std::vector<std::string_view> names;
+        for (const State &one : out_.states) names.emplace_back(one.name);
+        doc_.refuse(at, "there is no state '" + name + "'" + names_near(name, names));
+    }
     return found->second;
 }
 

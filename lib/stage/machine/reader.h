@@ -33,7 +33,7 @@ private:
     Found variable(std::string_view name) const override;
     Found crowd_variable(std::string_view name) const override;
     uint32_t agent_class(std::string_view name) override { return shared_.add_class(name); }
-    std::string known() const override;
+    std::string near(std::string_view name) const override;
 
     // read_states.cpp
     void declare_states(const toml::node &from, uint32_t parent);

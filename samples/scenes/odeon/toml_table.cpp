@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "samples/io/near_names.h"
 #include "samples/io/toml_keys.h"
 #include "samples/io/toml_number.h"
 #include "samples/scenes/check.h"
@@ -228,12 +229,10 @@ std::vector<std::pair<std::string, TomlTable>> TomlTable::named_tables(const std
 
 void TomlTable::done() const
 {
-    std::string names;
-    for (const std::string &name : known_) names += (names.empty() ? "" : ", ") + name;
     for (const auto &[key, node] : *table_)
         if (!known_.count(key.str()))
             throw Failure(place_of(where_, key.source()) + ": " + (what_.empty() ? "" : what_ + " ") +
-                          "has an unknown key '" + std::string(key.str()) + "'; there are: " + names);
+                          "has an unknown key '" + std::string(key.str()) + "'" + io::names_near(key.str(), known_));
 }
 
 }  // namespace scenes

@@ -1,6 +1,7 @@
 // [[doors]] and [[agents]]: what opens and closes, and people that run machines.
 #include <algorithm>
 
+#include "samples/io/near_names.h"
 #include "samples/scenes/scenario/sections.h"
 
 namespace scenes
@@ -13,13 +14,13 @@ constexpr size_t most_doors = 62, most_agents = 16000;
 
 size_t place_named(TomlTable &table, const Staging &stage, const std::string &name, const char *key)
 {
-    std::string names;
-    for (size_t i = 0; i < stage.places.size(); ++i) {
-        if (stage.places[i].name == name) return i;
-        names += (i ? ", " : "") + stage.places[i].name;
+    std::vector<std::string> names;
+    for (const auto &place : stage.places) {
+        if (place.name == name) return names.size();
+        names.push_back(place.name);
     }
-    table.refuse("has '" + std::string(key) + "' with '" + name +
-                     "', and [places] has no such place; it has: " + (names.empty() ? "none" : names),
+    table.refuse("has '" + std::string(key) + "' with '" + name + "', and [places] has no such place" +
+                     io::names_near(name, names),
                  key);
 }
 
@@ -34,14 +35,14 @@ std::vector<size_t> places_named(TomlTable &table, const Staging &stage, const c
 size_t class_named(TomlTable &table, const Scenario &scenario)
 {
     const std::string name = table.text("class");
-    std::string names;
-    for (size_t i = 0; i < scenario.characters.size(); ++i) {
-        if (scenario.characters[i].name == name) return i;
-        names += (i ? ", " : "") + scenario.characters[i].name;
+    std::vector<std::string> names;
+    for (const SocialClass &one : scenario.characters) {
+        if (one.name == name) return names.size();
+        names.push_back(one.name);
     }
-    table.refuse("is of the class '" + name +
-                     "', and there is no [[characters]] of that name; there are: " + (names.empty() ? "none" : names),
-                 "class");
+    table.refuse(
+        "is of the class '" + name + "', and there is no [[characters]] of that name" + io::names_near(name, names),
+        "class");
 }
 
 void read_where(TomlTable &described, const Staging &stage, ScenarioAgents &made)

@@ -1,6 +1,7 @@
 // [[people]]: single individuals with roles.
 #include <cmath>
 
+#include "samples/io/near_names.h"
 #include "samples/io/whole_number.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/scenario/sections.h"
@@ -18,14 +19,14 @@ constexpr size_t most_roles = 10000, most_corners = 1000;
 size_t member_of(TomlTable &table, const Scenario &scenario)
 {
     const std::string name = table.text("class");
-    std::string names;
-    for (size_t i = 0; i < scenario.characters.size(); ++i) {
-        if (scenario.characters[i].name == name) return i;
-        names += (i ? ", " : "") + scenario.characters[i].name;
+    std::vector<std::string> names;
+    for (const SocialClass &one : scenario.characters) {
+        if (one.name == name) return names.size();
+        names.push_back(one.name);
     }
-    table.refuse("is of the class '" + name +
-                     "', and there is no [[characters]] of that name; there are: " + (names.empty() ? "none" : names),
-                 "class");
+    table.refuse(
+        "is of the class '" + name + "', and there is no [[characters]] of that name" + io::names_near(name, names),
+        "class");
 }
 
 Clip clip_of(TomlTable &table)

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cctype>
 
+#include "samples/io/near_names.h"
+#include "samples/scenes/template_names.h"
+
 namespace scenes::walkers
 {
 
@@ -43,21 +46,20 @@ std::string clip_names(const clq_template *tmpl, uint32_t count)
 double height_of(const clq_template_info &info) { return static_cast<double>(info.sklsroot_centre[1]) * 2; }
 
 // The clip that the description names, or one with a usual name.
-uint32_t clip_of(const Member &member, const std::string &named, const std::vector<std::string> &usual,
-                 const clq_template_info &info)
+uint32_t clip_of(const Member &member, const std::string &named, const std::vector<std::string> &usual)
 {
     if (named.empty()) return find_clip(member.tmpl, usual);
     const uint32_t clip = clq_template_find_clip(member.tmpl, named.c_str());
     if (clip == CLQ_NONE)
         throw Failure("the character " + member.described.character + " has no clip named " + named +
-                      "; it has: " + clip_names(member.tmpl, info.clip_count));
+                      io::names_near(named, names_of_clips(member.tmpl)));
     return clip;
 }
 
-std::vector<uint32_t> idles_of(const Member &member, const clq_template_info &info)
+std::vector<uint32_t> idles_of(const Member &member)
 {
     std::vector<uint32_t> idles;
-    for (const std::string &named : member.described.clips.idles) idles.push_back(clip_of(member, named, {}, info));
+    for (const std::string &named : member.described.clips.idles) idles.push_back(clip_of(member, named, {}));
     if (!idles.empty()) return idles;
     for (const char *word :
          {"stand", "stand_look", "stand_shift", "idle", "idle_neutral", "idle_loop", "unarmed_idle"}) {
@@ -141,11 +143,11 @@ GaitClips gait_clips(const Member &member)
     check(clq_template_get_info(member.tmpl, &info));
     const SocialClass::Clips &clips = member.described.clips;
     GaitClips out;
-    out.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"}, info);
-    out.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"}, info);
-    out.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"}, info);
-    out.turn = clip_of(member, clips.turn, {"turn"}, info);
-    out.idles = idles_of(member, info);
+    out.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"});
+    out.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"});
+    out.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"});
+    out.turn = clip_of(member, clips.turn, {"turn"});
+    out.idles = idles_of(member);
     if (out.walk == CLQ_NONE)
         throw Failure("the character " + member.described.character +
                       " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));

@@ -96,7 +96,7 @@ TEST_F(StageMessages, TimetablesThatCannotBeAreRefusedByLineAndColumn)
         expect_refused(clq_stage_add_timetable(stage_, &source, 0), rule, status);
     };
     const std::string event = "[[event]]\nat = 1\nsend = \"go\"\n";
-    wrong("[[events]]\n", "t.toml, line 1", "'events' is not known here; there are: event");
+    wrong("[[events]]\n", "t.toml, line 1", "'events' is not known here: 'event' is near");
     wrong("event = 3\n", "t.toml, line 1, column 9", "'event' is not a list");
     wrong(event + "value = nan\n", "line 4, column 9", "'value' is not finite");
     wrong("event = [3]\n", "t.toml, line 1, column 10", "an event is not a table");

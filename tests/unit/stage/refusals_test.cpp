@@ -37,7 +37,7 @@ TEST(MachineFile, WithoutItsStatesInOrderIsRefused)
          "transitions = [ { on = \"go\", to = \"c\" } ]\n",
          "line 11, column 1", "nothing leads to the state 'd'"},
         {"[states]\n", "line 7, column 1", "'states' holds no state"},
-        {"[states.a]\nentre = []\n", "line 8, column 1", "'entre' is not known here; there are: initial, enter"},
+        {"[states.a]\nentre = []\n", "line 8, column 1", "'entre' is not known here: 'enter' is near"},
         {"[states.a\n", "line 7, column 10", "not TOML"},
     });
 }

@@ -1,0 +1,28 @@
+#include "samples/scenes/template_names.h"
+
+namespace scenes
+{
+
+std::vector<std::string> names_of_clips(const clq_template *tmpl)
+{
+    std::vector<std::string> names;
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    for (uint32_t i = 0; i < info.clip_count; ++i) {
+        clq_clip_info clip = clq_clip_info_init();
+        check(clq_template_get_clip(tmpl, i, &clip));
+        names.emplace_back(clip.name);
+    }
+    return names;
+}
+
+std::vector<std::string> names_of_nodes(const clq_template *tmpl)
+{
+    std::vector<std::string> names;
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    for (uint32_t i = 0; i < info.node_count; ++i) names.emplace_back(clq_template_get_node_name(tmpl, i));
+    return names;
+}
+
+}  // namespace scenes
