@@ -53,6 +53,8 @@ public:
     // All components in a row as finite floats; normalised integers are mapped to [0, 1] or [-1, 1]. Throws unless
     // elements have `width` components. `needed_by` names the reader in messages.
     std::vector<float> floats(uint32_t index, uint32_t width, const std::string &needed_by) const;
+    // The same, not all of them finite.
+    std::vector<float> any_floats(uint32_t index, uint32_t width, const std::string &needed_by) const;
 
     // Unsigned integers, not normalised.
     std::vector<uint32_t> integers(uint32_t index, uint32_t width, const std::string &needed_by) const;

@@ -89,13 +89,19 @@ std::vector<Out> Accessors::decode(const Accessor &a, const std::string &needed_
     return out;
 }
 
-std::vector<float> Accessors::floats(uint32_t index, uint32_t width, const std::string &needed_by) const
+std::vector<float> Accessors::any_floats(uint32_t index, uint32_t width, const std::string &needed_by) const
 {
     const Accessor &a = wanted(index, width, needed_by);
-    std::vector<float> out = decode<float>(a, needed_by, [&](const uint8_t *p) { return float_at(a, p); });
+    return decode<float>(a, needed_by, [&](const uint8_t *p) { return float_at(a, p); });
+}
+
+std::vector<float> Accessors::floats(uint32_t index, uint32_t width, const std::string &needed_by) const
+{
+    std::vector<float> out = any_floats(index, width, needed_by);
     for (size_t i = 0; i < out.size(); ++i)
         if (!std::isfinite(out[i]))
-            fail(CLQ_FORMAT, "%s: element %zu of %s is not finite", needed_by.c_str(), i / width, a.path.c_str());
+            fail(CLQ_FORMAT, "%s: element %zu of %s is not finite", needed_by.c_str(), i / width,
+                 at(index).path.c_str());
     return out;
 }
 

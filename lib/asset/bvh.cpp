@@ -146,7 +146,7 @@ void add_nodes(const std::vector<BvhJoint> &joints, double unit_m, model::Model 
         model.rig.parents.push_back(joint.parent);
         model.rig.rest.push_back(rest);
         model.rig.node_names.emplace_back(joint.name.c_str());
-        if (!names.insert(joint.name).second)
+        if (!names.insert(joint.name).second && model.warnings.size() < 64)
             model.warnings.push_back("two joints are named '" + joint.name + "': names find the first");
     }
 }
@@ -165,6 +165,7 @@ model::Model load_bvh(const uint8_t *bytes, size_t size, const LoadOptions &opti
         fail(CLQ_ARGUMENT, "a unit of %g m: more than 0 and at most 1e6 is wanted", options.motion_unit_m);
     Budget budget(options.memory_limit_bytes);
     budget.add_input(size);
+    if (is_utf16(bytes, size)) budget.charge(uint64_t(size) / 2 * 3, "the text");
     BvhText text(bytes, size);
     model::Model model;
     const std::vector<BvhJoint> joints = read_hierarchy(text, budget);

@@ -11,7 +11,8 @@
 namespace claque::asset
 {
 
-// True if the bytes begin like a BVH file: the word HIERARCHY, after blanks.
+// True if the bytes begin like a BVH file: the word HIERARCHY, after blanks and lines that begin with #. The text may
+// be UTF-16 with a byte order mark.
 bool is_bvh(const uint8_t *bytes, size_t size);
 
 // Of the options, motion_unit_m and memory_limit_bytes are used. The clip is called "motion". Throws base::Error

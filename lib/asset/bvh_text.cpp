@@ -29,19 +29,68 @@ std::string quoted_word(std::string_view word)
     return text + (word.size() > 30 ? "...'" : "'");
 }
 
+void append_utf8(uint32_t c, std::string &out)
+{
+    const auto put = [&](uint32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
+    if (c < 0x80) return put(c);
+    if (c >= 0x10000) put(0xf0 | c >> 18), put(0x80 | (c >> 12 & 0x3f));
+    else if (c >= 0x800) put(0xe0 | c >> 12);
+    if (c >= 0x800) put(0x80 | (c >> 6 & 0x3f));
+    else put(0xc0 | c >> 6);
+    put(0x80 | (c & 0x3f));
+}
+
+// Half a pair becomes the replacement character, as in other readers.
+std::string utf8_of(const uint8_t *bytes, size_t size)
+{
+    const size_t high = bytes[0] == 0xfe ? 0 : 1, units = size / 2;
+    const auto unit = [&](size_t i) { return uint32_t(bytes[2 * i + high]) << 8 | bytes[2 * i + 1 - high]; };
+    std::string out;
+    out.reserve(units);
+    for (size_t i = 1; i < units; ++i) {
+        const uint32_t c = unit(i), low = i + 1 < units ? unit(i + 1) : 0;
+        if (c >= 0xd800 && c < 0xdc00 && low >= 0xdc00 && low < 0xe000)
+            append_utf8(0x10000 + ((c - 0xd800) << 10 | (low - 0xdc00)), out), ++i;
+        else append_utf8(c >= 0xd800 && c < 0xe000 ? 0xfffd : c, out);
+    }
+    return out;
+}
+
 }  // namespace
 
-BvhText::BvhText(const uint8_t *bytes, size_t size) : at_(reinterpret_cast<const char *>(bytes)), end_(at_ + size)
+bool is_utf16(const uint8_t *bytes, size_t size)
 {
-    if (size >= 3 && bytes[0] == 0xef && bytes[1] == 0xbb && bytes[2] == 0xbf) at_ += 3;  // byte order mark
+    return size >= 2 && ((bytes[0] == 0xff && bytes[1] == 0xfe) || (bytes[0] == 0xfe && bytes[1] == 0xff));
+}
+
+BvhText::BvhText(const uint8_t *bytes, size_t size)
+    : begin_(reinterpret_cast<const char *>(bytes)), at_(begin_), end_(begin_ + size)
+{
+    if (is_utf16(bytes, size)) {
+        decoded_ = utf8_of(bytes, size);
+        begin_ = at_ = decoded_.data(), end_ = at_ + decoded_.size();
+    } else if (size >= 3 && bytes[0] == 0xef && bytes[1] == 0xbb && bytes[2] == 0xbf) begin_ = at_ += 3;  // its mark
 }
 
 void BvhText::refuse(const std::string &what) const { base::fail(CLQ_FORMAT, "line %u: %s", line_, what.c_str()); }
 
+// The format has no comments; some exporters write lines that begin with #.
+bool BvhText::at_comment() const
+{
+    if (at_ == end_ || *at_ != '#') return false;
+    const char *before = at_;
+    while (before > begin_ && (before[-1] == ' ' || before[-1] == '\t')) --before;
+    return before == begin_ || before[-1] == '\n' || before[-1] == '\r';
+}
+
 void BvhText::skip_blanks()
 {
-    for (; at_ < end_ && is_blank(*at_); ++at_)
-        if (*at_ == '\n') ++line_;
+    for (;;) {
+        for (; at_ < end_ && is_blank(*at_); ++at_)
+            if (*at_ == '\n') ++line_;
+        if (!at_comment()) return;
+        while (at_ < end_ && *at_ != '\n') ++at_;
+    }
 }
 
 bool BvhText::at_end()

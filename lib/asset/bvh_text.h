@@ -9,10 +9,16 @@
 namespace claque::asset
 {
 
+// Whether bytes begin with a byte order mark of UTF-16.
+bool is_utf16(const uint8_t *bytes, size_t size);
+
 class BvhText
 {
 public:
+    // The text may be UTF-16 if it begins with a byte order mark.
     BvhText(const uint8_t *bytes, size_t size);
+    BvhText(const BvhText &) = delete;
+    BvhText &operator=(const BvhText &) = delete;
 
     // Throws base::Error (CLQ_FORMAT): "line 12: " followed by `what`.
     [[noreturn]] void refuse(const std::string &what) const;
@@ -34,9 +40,11 @@ public:
 
 private:
     void skip_blanks();
+    bool at_comment() const;
     static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\v' || c == '\f'; }
 
-    const char *at_, *end_;
+    std::string decoded_;  // of UTF-16
+    const char *begin_, *at_, *end_;
     uint32_t line_ = 1;
 };
 

@@ -23,7 +23,7 @@ void check_header(const uint8_t *bytes, size_t size)
 {
     if (size < 12) fail(CLQ_FORMAT, "the GLB header is cut off after %zu bytes of 12", size);
     if (word(bytes + 4) != 2) fail(CLQ_UNSUPPORTED, "GLB version %u: only version 2 is read", word(bytes + 4));
-    if (word(bytes + 8) != size)
+    if (word(bytes + 8) > size || word(bytes + 8) < 12)
         fail(CLQ_FORMAT, "the GLB header says %u bytes, the file has %zu", word(bytes + 8), size);
 }
 
@@ -39,6 +39,8 @@ Container open_container(const uint8_t *bytes, size_t size)
     }
     check_header(bytes, size);
     out.is_glb = true;
+    out.left_out = size - word(bytes + 8);
+    size -= out.left_out;
     size_t at = 12;
     for (size_t chunk = 0; at < size; ++chunk) {
         if (size - at < 8) fail(CLQ_FORMAT, "the header of GLB chunk %zu is cut off", chunk);

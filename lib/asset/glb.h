@@ -13,6 +13,7 @@ struct Container {
     size_t json_size = 0;
     const uint8_t *binary = nullptr;
     size_t binary_size = 0;
+    size_t left_out = 0;  // bytes behind the end that the header says
     bool is_glb = false, has_binary = false;
 };
 

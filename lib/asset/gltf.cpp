@@ -1,5 +1,7 @@
 #include "lib/asset/gltf.h"
 
+#include <string_view>
+
 #include "lib/asset/gltf_build.h"
 #include "lib/asset/gltf_header.h"
 
@@ -28,11 +30,25 @@ bool is_vrm_0(const JsonView &root)
     return extensions.is_object() && extensions["VRM"].exists() && !extensions["VRMC_vrm"].exists();
 }
 
+// Other formats are refused before the parser of JSON speaks about them. A GLB begins with "glTF", JSON with a brace.
+void expect_gltf(const uint8_t *bytes, size_t size)
+{
+    std::string_view text(reinterpret_cast<const char *>(bytes), size);
+    if (text.substr(0, 4) == "glTF") return;
+    if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
+    const size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && text[first] == '{') return;
+    fail(CLQ_FORMAT,
+         "it is neither glTF nor BVH: 'claque convert FILE --out NAME.glb' makes a GLB of most other formats, such as "
+         "FBX, Collada, OBJ, IQM and MD2");
+}
+
 }  // namespace
 
 model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &options, double *own_turn_deg)
 {
     if (size == 0) fail(CLQ_FORMAT, "the file is empty");
+    expect_gltf(bytes, size);
     Budget budget(options.memory_limit_bytes);
     budget.add_input(size);
     const Container container = open_container(bytes, size);

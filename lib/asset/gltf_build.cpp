@@ -7,6 +7,7 @@
 #include "lib/asset/gltf_dofs.h"
 #include "lib/asset/gltf_mesh.h"
 #include "lib/asset/gltf_skin.h"
+#include "lib/base/near_names.h"
 #include "lib/asset/vrm_bones.h"
 
 namespace claque::asset
@@ -112,7 +113,8 @@ private:
         }
         for (const std::string &name : names)
             if (model_.rig.find_node(name) == none)
-                file_.warn(base::text_of("no node is named '%.100s': nothing to hide", name.c_str()));
+                file_.warn(base::text_of("no node is named '%.100s': nothing to hide%s", name.c_str(),
+                                         base::names_near(name, model_.rig.node_names).c_str()));
     }
 
     uint32_t add_morph_set(uint32_t node)
@@ -158,7 +160,7 @@ private:
                     base::text_of("nodes[%u] '%.60s' has a skin, a primitive of its mesh has no joints: it "
                                   "moves with the node",
                                   node, from.name.c_str()));
-            if (from.skin != none && primitive.has_joints) bind(part, entries, node);
+            if (from.skin != none && primitive.has_joints) bind(part, entries, node, from.skin);
             else hang(part);
             model_.parts.push_back(std::move(part));
         }
@@ -178,11 +180,30 @@ private:
         return out;
     }
 
-    static void bind(model::Part &part, const std::vector<uint32_t> &entries, uint32_t node)
+    // The place in a skin's list of the joint that is a node of the file or the nearest above it, else the first.
+    uint32_t joint_above(uint32_t node, uint32_t skin)
+    {
+        const auto [place, is_new] = joints_above_.emplace(skin, std::vector<uint32_t>());
+        std::vector<uint32_t> &above = place->second;
+        if (is_new) {
+            file_.budget.charge(4ull * tree_.nodes.size(), "the joints above meshes");
+            above.assign(tree_.nodes.size(), none);
+            const std::vector<uint32_t> &joints = skins_[skin].joints;
+            for (uint32_t i = 0; i < joints.size(); ++i) above[joints[i]] = i;
+            for (const uint32_t one : shown_) {
+                const uint32_t parent = tree_.nodes[one].parent;
+                if (above[one] == none && parent != none) above[one] = above[parent];
+            }
+        }
+        return above[node] == none ? 0 : above[node];
+    }
+
+    void bind(model::Part &part, const std::vector<uint32_t> &entries, uint32_t node, uint32_t skin)
     {
         part.skinned = true;
         for (size_t i = 0; i < part.joints.size(); ++i) {
             uint32_t &joint = part.joints[i];
+            if (joint == none) joint = joint_above(node, skin);  // of a vertex without weights
             if (joint >= entries.size())
                 fail(CLQ_FORMAT, "vertex %zu of a mesh on nodes[%u] names joint %u, its skin has %zu",
                      i / part.influence_count, node, joint, entries.size());
@@ -207,7 +228,7 @@ private:
     Palette palette_;
     RigMapping places_;
     std::vector<bool> hidden_;
-    std::map<uint32_t, std::vector<uint32_t>> skin_entries_;  // by skin
+    std::map<uint32_t, std::vector<uint32_t>> skin_entries_, joints_above_;  // by skin
 };
 
 }  // namespace

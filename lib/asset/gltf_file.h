@@ -23,6 +23,8 @@ struct File {
           buffers(document, container, wanted, shared),
           accessors(document, buffers, shared)
     {
+        if (container.left_out)
+            warn(base::text_of("%zu bytes follow the end that the GLB's header says: left out", container.left_out));
         for (const std::string &text : buffers.warnings()) warn(text);
     }
     File(const File &) = delete;

@@ -122,6 +122,46 @@ TEST(Bvh, SeveralRootsNamesWithBlanksAndAllLineEndsAreRead)
     EXPECT_EQ(rotation_at(dos.rig, 0, 1), rotation_at(unix.rig, 0, 1));
 }
 
+std::string utf16(const std::string &text, bool big)
+{
+    std::string out = big ? "\xfe\xff" : "\xff\xfe";
+    for (const char c : text) out += big ? std::string{'\0', c} : std::string{c, '\0'};
+    return out;
+}
+
+TEST(Bvh, MayBeUtf16WithAByteOrderMark)
+{
+    const model::Rig plain = load_bvh(small).rig;
+    for (const bool big : {false, true}) {
+        const std::string text = utf16(small, big);
+        ASSERT_TRUE(asset::is_bvh(reinterpret_cast<const uint8_t *>(text.data()), text.size()));
+        const model::Rig rig = load_bvh(text).rig;
+        EXPECT_EQ(rig.values, plain.values);
+        EXPECT_EQ(rig.node_names, plain.node_names);
+        EXPECT_EQ(load_bvh(text + "x").rig.values, plain.values) << "half a character is left out";
+    }
+    // A letter of Greek, one of Chinese, one above 16 bits and half a pair, low byte first.
+    std::string odd = utf16(head + order, false);
+    odd.replace(odd.find(utf16("hip", false).substr(2)), 6,
+                std::string("\xb1\x03\x2d\x4e\x3c\xd8\x00\xdf\x00\xd8", 10));
+    const std::string rest_of_it = utf16(rest + motion, false).substr(2);
+    EXPECT_EQ(load_bvh(odd + rest_of_it).rig.node_names[0], "\xce\xb1\xe4\xb8\xad\xf0\x9f\x8c\x80\xef\xbf\xbd");
+}
+
+TEST(Bvh, LinesThatBeginWithASharpAreNoPartOfIt)
+{
+    const std::string with =
+        "# made by hand\n  # twice\n" + head + order + "# { not a brace\n" + rest + "#\n" + motion + "# the end";
+    ASSERT_TRUE(asset::is_bvh(reinterpret_cast<const uint8_t *>(with.data()), with.size()));
+    const model::Model model = load_bvh(with);
+    EXPECT_EQ(model.rig.values, load_bvh(small).rig.values);
+    EXPECT_TRUE(model.warnings.empty());
+    EXPECT_NE(refusal("# one\n#two\nHIERARCHY\nROOT a\n{\nOFFSET 0 0 x\n").find("line 6"), std::string::npos);
+    std::string sharp = small;
+    sharp.replace(sharp.find("hip"), 3, "h#1");
+    EXPECT_EQ(load_bvh(sharp).rig.node_names[0], "h#1");
+}
+
 TEST(Bvh, TheUnitScalesOffsetsAndPlaces)
 {
     const model::Model model = load_bvh(small, 0.25);
