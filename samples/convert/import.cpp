@@ -9,7 +9,9 @@
 #include <assimp/postprocess.h>
 #include <assimp/version.h>
 
+#include "samples/convert/losses.h"
 #include "samples/convert/scene.h"
+#include "samples/io/files.h"
 #include "samples/io/regular_file.h"
 
 namespace convert
@@ -142,6 +144,9 @@ Converted import_file(const std::string &path, const Options &options)
         throw std::runtime_error(why.empty() ? "it finds no scene" : why);
     }
     Scene scene = {*read, options, path};
+    std::string bytes;
+    if (io::read_whole(path, bytes, io::most_file_bytes).empty())
+        for (std::string &loss : losses_in(bytes)) scene.warn(std::move(loss));
     add_materials(scene);
     add_nodes(scene);
     add_meshes(scene);
