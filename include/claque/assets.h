@@ -46,6 +46,10 @@ typedef struct clq_asset_options {
     double height_m;
     double scale; /* multiplies the size: [1e-6, 1e6], and not beside height_m. 0 (default): 1 */
     clq_blend blend;
+    /* Zones that have no colour range of their own. false: individuals stay near the colours of the file, skin and hair
+     * stay human, all skin has one colour, and eyes, teeth and metal keep theirs (docs/characters.md). true: most hues.
+     * Zone keys with ranges, and maps of colours, are not touched. */
+    bool wild_colours;
 } clq_asset_options;
 
 CLQ_DEFINE_ZERO_INIT(clq_asset_options)

@@ -35,8 +35,8 @@ typedef struct clq_zone_map_zone {
      * own colour becomes the one that restores the image best. False: its texels keep their colours; the zone's own
      * colour is white. */
     bool reduced;
-    /* The range that clq_actor_randomise_colours samples. NULL: a range that follows from the name (skin, hair,
-     * leather, ...) and the colour. */
+    /* The range that clq_actor_randomise_colours samples. NULL: a range near the colour, which follows from the name
+     * (skin, hair, leather, ...) and the place on the body; a wide one with clq_asset_options.wild_colours. */
     const clq_hsb_range *range;
 } clq_zone_map_zone;
 

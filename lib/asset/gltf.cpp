@@ -4,6 +4,7 @@
 
 #include "lib/asset/gltf_build.h"
 #include "lib/asset/gltf_header.h"
+#include "lib/asset/own_colours.h"
 
 namespace claque::asset
 {
@@ -63,6 +64,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     model.source_bytes = budget.source_bytes();
     check_as_format(model);
     if (own_turn_deg) *own_turn_deg = is_vrm_0(root) ? 180 : 0;
+    if (!options.wild_colours) keep_own_colours(model, material_zones(model));
     return model;
 }
 

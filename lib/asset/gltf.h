@@ -26,9 +26,10 @@ struct LoadOptions {
     // (image.h).
     uint64_t memory_limit_bytes = 1ull << 30;
     uint32_t max_image_px = 16384;  // width and height
-    bool strict = false;       // a picture whose file is missing fails; else the base colour is shown, with a warning
+    bool strict = false;        // a picture whose file is missing fails; else the base colour is shown, with a warning
+    bool wild_colours = false;  // of zones without zone keys: as far as zone_ranges.h lets them, not as own_colours.h
     Blend blend = Blend::mask;  // mask: with a cutoff of 0.5
-    double motion_unit_m = 1;  // metres (model units) per unit of a BVH file, which has none of its own
+    double motion_unit_m = 1;   // metres (model units) per unit of a BVH file, which has none of its own
 };
 
 // The first bytes decide between GLB and JSON. Throws base::Error:

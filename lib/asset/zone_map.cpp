@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/asset/own_colours.h"
 #include "lib/asset/zone_ranges.h"
 #include "lib/base/error.h"
 
@@ -55,20 +56,25 @@ void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t
                  model.materials[user].name.c_str(), image, model.images[image].name.c_str());
 }
 
-// The zone at the centre of each texel of an image. Unknown texels take the zone that first spreads to them from known
-// ones.
-std::vector<uint16_t> texels_of(const ZoneMap &map, uint32_t width, uint32_t height)
+// The zone at the centre of each texel of an image.
+std::vector<uint16_t> known_texels(const ZoneMap &map, uint32_t width, uint32_t height)
 {
     std::vector<uint16_t> zones(size_t(width) * height);
-    std::vector<uint32_t> front, next;
     for (uint32_t y = 0; y < height; ++y)
         for (uint32_t x = 0; x < width; ++x) {
             const uint64_t u = (2 * uint64_t(x) + 1) * map.width / (2 * uint64_t(width));
             const uint64_t v = (2 * uint64_t(y) + 1) * map.height / (2 * uint64_t(height));
-            const uint32_t at = y * width + x;
-            zones[at] = map.zones[v * map.width + u];
-            if (zones[at] != unknown_zone) front.push_back(at);
+            zones[y * width + x] = map.zones[v * map.width + u];
         }
+    return zones;
+}
+
+// Unknown texels take the zone that first spreads to them from known ones.
+std::vector<uint16_t> texels_of(const ZoneMap &map, std::vector<uint16_t> zones, uint32_t width, uint32_t height)
+{
+    std::vector<uint32_t> front, next;
+    for (uint32_t at = 0; at < zones.size(); ++at)
+        if (zones[at] != unknown_zone) front.push_back(at);
     // A map with known texels may have none at these centres.
     if (front.empty()) {
         for (size_t i = 0; i < size_t(map.width) * map.height; ++i)
@@ -103,17 +109,20 @@ double top_of(const model::Image &image, const std::vector<uint16_t> &zones, uin
     return 255;
 }
 
-// Makes a zone's texels grey. Returns the colour that restores their look best (least squares, by channel).
-Rgb reduce(model::Image &image, const std::vector<uint16_t> &zones, uint16_t zone)
+// Makes a zone's texels grey. Returns the colour that restores the look of the known ones best (least squares, by
+// channel): others may be shown nowhere.
+Rgb reduce(model::Image &image, const std::vector<uint16_t> &zones, const std::vector<uint16_t> &known, uint16_t zone)
 {
-    const double top = top_of(image, zones, zone);
+    const bool is_known = std::find(known.begin(), known.end(), zone) != known.end();
+    const double top = top_of(image, is_known ? known : zones, zone);
     double squares = 0, products[3] = {0, 0, 0};
     for (size_t i = 0; i < zones.size(); ++i) {
         if (zones[i] != zone) continue;
         uint8_t *texel = &image.rgba[4 * i];
         const double grey = std::floor(std::min(255.0, 255 * luminance(texel) / top) + 0.5);
-        squares += grey * grey;
-        for (int k = 0; k < 3; ++k) products[k] += grey * texel[k];
+        const double weight = is_known && known[i] != zone ? 0 : grey;
+        squares += weight * grey;
+        for (int k = 0; k < 3; ++k) products[k] += weight * texel[k];
         std::fill_n(texel, 3, static_cast<uint8_t>(grey));
     }
     Rgb colour = {1, 1, 1};
@@ -202,9 +211,47 @@ uint8_t key_for(model::Model &next, const ZoneMapZone &painted, const Rgb &colou
     return zone.key;
 }
 
+// The names of zones with keys.
+std::vector<std::string> keyed_zones(const model::Model &model)
+{
+    const std::vector<bool> of_materials = material_zones(model);
+    std::vector<std::string> names;
+    for (size_t z = 0; z < model.zones.size(); ++z)
+        if (!of_materials[z]) names.push_back(model.zones[z].name);
+    return names;
+}
+
+// The zones to which neither the map nor an earlier one gave a range.
+std::vector<bool> open_zones(const model::Model &next, const std::vector<std::string> &before,
+                             const std::vector<ZoneMapZone> &painted)
+{
+    std::vector<bool> open = material_zones(next);
+    for (const ZoneMapZone &one : painted) {
+        if (one.range || std::find(before.begin(), before.end(), one.name) != before.end()) continue;
+        for (size_t z = 0; z < open.size(); ++z) open[z] = open[z] || next.zones[z].name == one.name;
+    }
+    return open;
+}
+
+// Lends a model's rig and parts to another for as long as it lives.
+class Lent
+{
+public:
+    Lent(model::Model &from, model::Model &to) : from_(from), to_(to) { swap(); }
+    ~Lent() { swap(); }
+    Lent(const Lent &) = delete;
+    Lent &operator=(const Lent &) = delete;
+
+private:
+    void swap() { std::swap(from_.rig, to_.rig), from_.parts.swap(to_.parts); }
+
+    model::Model &from_, &to_;
+};
+
 }  // namespace
 
-void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones)
+void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones,
+                  bool wild_colours)
 {
     check(model, image, map, zones.size());
     model::Model next;
@@ -214,7 +261,8 @@ void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const
     const std::vector<uint32_t> users = users_of(next, image);
     fold_base_colour(next, image);
     model::Image &texels = next.images[image];
-    const std::vector<uint16_t> wanted = texels_of(map, texels.width, texels.height);
+    const std::vector<uint16_t> known = known_texels(map, texels.width, texels.height),
+                                wanted = texels_of(map, known, texels.width, texels.height);
     // The materials now have zone keys, so their own zones may be removed.
     texels.alpha = model::AlphaMeaning::zone_keys;
     for (const uint32_t user : users)
@@ -222,12 +270,17 @@ void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const
     for (size_t i = 3; i < texels.rgba.size(); i += 4) texels.rgba[i] = 0;
     for (size_t z = 0; z < zones.size(); ++z) {
         if (std::find(wanted.begin(), wanted.end(), z) == wanted.end()) continue;
-        const Rgb colour = zones[z].reduced ? reduce(texels, wanted, static_cast<uint16_t>(z)) : Rgb{1, 1, 1};
+        const Rgb colour = zones[z].reduced ? reduce(texels, wanted, known, static_cast<uint16_t>(z)) : Rgb{1, 1, 1};
         const uint8_t key = key_for(next, zones[z], colour);
         for (size_t i = 0; i < wanted.size(); ++i)
             if (wanted[i] == z) texels.rgba[4 * i + 3] = key;
     }
     drop_unused_zones(next);
+    if (!wild_colours) {
+        const std::vector<bool> open = open_zones(next, keyed_zones(model), zones);
+        const Lent lent(model, next);
+        keep_own_colours(next, open);
+    }
     model.zones = std::move(next.zones), model.materials = std::move(next.materials);
     model.images = std::move(next.images);
 }

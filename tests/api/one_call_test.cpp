@@ -154,6 +154,9 @@ TEST_F(OneCall, MakesWhatItKeepsOfTheFilesBesideAndOfTheOptions)
     options.strict = true;
     loaded(file, &options);
     EXPECT_EQ(files(), 3u) << "the options have changed";
+    options.wild_colours = true;
+    loaded(file, &options);
+    EXPECT_EQ(files(), 4u) << "the colours have changed";
 }
 
 TEST_F(OneCall, BuildsWithoutLevelsWhatIsRefusedLevels)

@@ -33,6 +33,7 @@ asset::LoadOptions options_of(const clq_asset_options &options)
     out.strict = options.strict;
     api::require(api::number_of(options.blend) <= CLQ_BLEND_OPAQUE, "blend is none of CLQ_BLEND_...");
     out.blend = options.blend == CLQ_BLEND_OPAQUE ? asset::Blend::opaque : asset::Blend::mask;
+    out.wild_colours = options.wild_colours;
     if (options.memory_limit_bytes) out.memory_limit_bytes = options.memory_limit_bytes;
     return out;
 }
@@ -55,7 +56,9 @@ clq_asset *finish(clq_context *context, model::Model &&model, bool placed = fals
 clq_asset *finish(clq_context *context, Loaded &&loaded, const clq_asset_options &options)
 {
     const bool placed = api::place(loaded.model, loaded.own_turn_deg, options);
-    return finish(context, std::move(loaded.model), placed);
+    clq_asset *asset = finish(context, std::move(loaded.model), placed);
+    asset->wild_colours = options.wild_colours;
+    return asset;
 }
 
 Loaded load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options)

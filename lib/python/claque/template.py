@@ -1,6 +1,6 @@
 """Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
-from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float
+from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float, pointer
 
 import numpy
 
@@ -22,10 +22,10 @@ class Template(Owned):
         return cls._prepare(context, levels, folder, builtin=name.encode())
 
     @classmethod
-    def load(cls, context, path, levels=False, folder="", turn_deg=0, height_m=0, scale=0):
+    def load(cls, context, path, levels=False, folder="", turn_deg=0, height_m=0, scale=0, wild_colours=False):
         """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor
-        (clq_asset_options)."""
-        options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale)
+        (clq_asset_options). `wild_colours`: individuals wear most hues, not colours near the file's."""
+        options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, wild_colours=wild_colours)
         return cls._prepare(context, levels, folder, path=str(path).encode(),
                             options=cast(byref(options), POINTER(abi.AssetOptions)))
 

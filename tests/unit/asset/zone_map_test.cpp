@@ -138,6 +138,17 @@ TEST(ZoneMap, UnpaintedTexelsTakeTheNearestZone)
         }
 }
 
+// As in an atlas, where a zone spreads over swatches that nothing shows.
+TEST(ZoneMap, TakesAZonesColourFromTexelsThatTheMapKnows)
+{
+    model::Model model = cloth_and_leather();
+    std::vector<uint16_t> map(64, unknown_zone);
+    for (size_t i = 0; i < 8; ++i) map[i] = 0, map[56 + i] = 1;
+    for (size_t i = 4 * 8; i < 7 * 8; ++i) model.images[0].rgba[4 * i + 1] = 255;  // green, beside the leather
+    asset::set_zone_map(model, 0, {8, 8, map.data()}, zones_of({"cloth", "leather"}, true));
+    EXPECT_NEAR(model.zones[1].colour[1] / model.zones[1].colour[0], 0.2f, 0.01f) << "40 to 200";
+}
+
 TEST(ZoneMap, TakesAMaterialsBaseColourIntoTheTexels)
 {
     model::Model model = cloth_and_leather();

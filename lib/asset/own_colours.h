@@ -1,0 +1,20 @@
+// Colour ranges of zones whose files and hosts give none: near the colours of the file, and human where they are skin
+// and hair. This policy has no other place. S2 5.
+#pragma once
+
+#include <vector>
+
+#include "lib/model/model.h"
+
+namespace claque::asset
+{
+
+// The zones that are those of materials: no image has keys of theirs.
+std::vector<bool> material_zones(const model::Model &model);
+
+// Gives ranges to the zones that `open` names. What shows skin becomes one zone, so that face and hands always have one
+// colour; where that cannot be, because two skins have two colours or keys, their colours stay. The model has to have
+// passed its check.
+void keep_own_colours(model::Model &model, std::vector<bool> open);
+
+}  // namespace claque::asset
