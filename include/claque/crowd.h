@@ -104,7 +104,7 @@ typedef struct clq_crowd_def {
     clq_cull_mode cull;
     clq_rigid_mode rigid_mode;
     /* The level of detail follows the effective distance (S0 5): eyeDistance * (1 - priority) * the view's scale
-     * (clq_view_set_height) * lod_scale. */
+     * (clq_view_set_height) * lod_scale / the scale of the actor in the world. */
     float lod_scale; /* [>= 0] 0: the finest level everywhere. Default 1 */
     /* [0, 1) the share of a switch distance that an actor must pass on its way back before its level changes again.
      * Default 0: a level is a function of the distance. */

@@ -21,7 +21,7 @@ typedef struct clq_levels_def {
     /* (> 0) the size of a level's error where the level begins, in a view of 768 lines over 60 degrees (other views:
      * clq_view_set_height). Default 1. */
     float tolerance_px;
-    float metres_per_unit; /* (> 0) metres in a model unit. Default 1 */
+    float metres_per_unit; /* (> 0) metres in a model unit of an actor of scale 1, as in clq_crowd_def. Default 1 */
     /* Levels of at most this many triangles are proxies: one mesh, no seams, a baked texture. Above 128 triangles a
      * decimated level is kept if its error is smaller; at 128 and below each triangle shows one zone. A decimated
      * level fails if it misses its target by 5 % or changes a zone's share of the surface by 2 points: it is left out.

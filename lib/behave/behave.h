@@ -22,7 +22,7 @@ struct Counts {
 };
 
 // The level of each of an actor's mechanisms at a distance, four bits per attachment in chain order; 15: off.
-//   distance_m   effective: includes priority and the view's scale
+//   distance_m   effective: includes priority and the scales of view and actor
 //   level        of the template: the skeleton that remains
 using MechanismLevels = uint64_t;
 constexpr uint32_t off = 15;

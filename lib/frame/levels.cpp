@@ -1,6 +1,7 @@
 // S1 4, S0 5: computes one eyeDistance for each individual, from which its rate and tick follow. The effective distance
 // selects the geometric, skeletal and behavioural levels.
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "lib/base/hash.h"
@@ -53,8 +54,10 @@ double ChooseLevels::speed_of(const Candidate &candidate) const
 ChooseLevels::Distances ChooseLevels::distances_of(uint32_t i) const
 {
     Distances out;
+    // The distances of levels are those at scale 1; twice the scale looks as large at twice the distance.
+    const double size = std::max(std::fabs(double(candidates[i].root.scale)), double(FLT_MIN));
     const double wish =
-        (1 - double(given.crowd.extent_of(candidates[i].row).priority)) * double(given.settings.lod_scale);
+        (1 - double(given.crowd.extent_of(candidates[i].row).priority)) * double(given.settings.lod_scale) / size;
     bool any = false;
     for (uint32_t v = 0; v < given.eyes.count; ++v)
         any = any || visibilities.at(v, i).inside != math::Containment::outside;
@@ -64,7 +67,7 @@ ChooseLevels::Distances ChooseLevels::distances_of(uint32_t i) const
         if (visibility.inside == math::Containment::outside && (any || !given.traditional())) continue;
         const CameraState &eye = given.eyes[v];
         const double scaled = visibility.distance * eye.distance_scale + eye.min_distance;
-        const float here = static_cast<float>(scaled * wish);
+        const float here = static_cast<float>(std::min(scaled * wish, double(FLT_MAX)));
         if (out.nearest < 0 || visibility.distance < out.nearest) out.nearest = visibility.distance;
         if (out.effective < 0 || here < out.effective) out.effective = here;
         out.shown_from = std::min({out.shown_from, double(visibility.distance), scaled});

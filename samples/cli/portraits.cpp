@@ -175,7 +175,7 @@ float Portraits::lod_scale(const clq_camera &seen) const
         wanted = (static_cast<double>(level.lod_min_m) + static_cast<double>(next.lod_min_m)) / 2;
     }
     const double away = std::hypot(seen.eye[0], seen.eye[1], seen.eye[2]);
-    return static_cast<float>(wanted / away);
+    return static_cast<float>(wanted / away * extents_.scale);
 }
 
 const std::vector<uint8_t> &Portraits::picture(uint32_t person)

@@ -21,6 +21,34 @@ uint32_t level_at(World &world, double distance)
     return world.seen(world.ids[0]).level;
 }
 
+// At so many times the actor's size.
+uint32_t level_of_size(World &world, float scale, double distance)
+{
+    const double far = scale * distance;
+    world.views[0]->camera = frame::look_at({0, scale, far}, {0, scale, 0}, glm::vec3(0, 1, 0), 1.0471976f, 1.3f,
+                                            0.01f * scale, 1e4f * scale);
+    world.update(0);
+    return world.seen(world.ids[0]).level;
+}
+
+void set_scale(World &world, float scale)
+{
+    crowd::Transform place;
+    place.scale = scale;
+    crowd::set_transforms(world.crowd, &world.ids[0], &place, 1);
+}
+
+// From the size in the picture alone: a metre of the model in pixels of 768 lines over 60 degrees, against those of a
+// metre where the robot's levels begin.
+uint32_t level_by_pixels(double scale, const glm::dvec3 &eye)
+{
+    const auto pixels = [](double metre, double away) {
+        return metre * 768 / (2 * std::tan(3.14159265358979 / 6) * away);
+    };
+    const double shown = pixels(scale, std::sqrt(eye.x * eye.x + eye.y * eye.y + eye.z * eye.z));
+    return (shown <= pixels(1, double(hands_stop_m))) + (shown <= pixels(1, double(limbs_stop_m)));
+}
+
 }  // namespace
 
 TEST(Levels, AllPartsFollowTheActorsOneDistanceEachWithItsOwn)
@@ -48,6 +76,40 @@ TEST(Levels, NodesBeyondTheirDistanceAreNotEvaluated)
     EXPECT_EQ(world.frame.stats().matrices_built, 8u);
     level_at(world, 100);
     EXPECT_EQ(world.frame.stats().matrices_built, 1u);
+}
+
+TEST(Levels, FollowTheSizeInThePictureAtAllScales)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    uint32_t seen[3] = {0, 0, 0};
+    for (float scale = 0.05f; scale <= 20; scale *= 1.13f)
+        for (const float sign : {1.0f, -1.0f}) {
+            set_scale(world, sign * scale);
+            for (double distance = 2; distance < 300; distance *= 1.09) {
+                const uint32_t level = level_of_size(world, scale, distance);
+                ASSERT_EQ(level, level_by_pixels(scale, world.views[0]->camera.eye)) << scale << ' ' << distance;
+                ++seen[level];
+            }
+        }
+    for (const uint32_t count : seen) EXPECT_GT(count, 500u);
+}
+
+TEST(Levels, FollowTheScaleOfTheGroupToo)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    crowd::Transform place;
+    place.scale = 0.1f;
+    const crowd::Id group = crowd::create_group(world.crowd, place);
+    for (const float own : {0.5f, 10.0f, 40.0f}) {
+        place.scale = own;
+        crowd::join(world.crowd, world.ids[0], group, &place);
+        for (const auto &[distance, level] : {std::pair{18.0, 0u}, {21.0, 1u}, {58.0, 1u}, {62.0, 2u}})
+            EXPECT_EQ(level_of_size(world, 0.1f * own, distance), level) << own << ' ' << distance;
+    }
 }
 
 TEST(Levels, PriorityRaisesTheDetail)
@@ -109,6 +171,31 @@ TEST(Levels, HysteresisHoldsTheCoarserLevelOnReturn)
     EXPECT_EQ(level_at(world, 16.5), 1u);
     EXPECT_EQ(level_at(world, 15.5), 0u);
     EXPECT_EQ(level_at(world, 19), 0u);
+}
+
+TEST(Levels, HysteresisIsAShareOfTheWayAtAllScales)
+{
+    frame::Settings settings;
+    settings.lod_hysteresis = 0.2f;
+    for (const float scale : {0.05f, 0.7f, 6.0f, 20.0f}) {
+        World world(settings);
+        world.add({0, 0, 0});
+        world.look({0, 1, 5}, {0, 1, 0});
+        set_scale(world, scale);
+        for (const auto &[distance, level] : {std::pair{19.0, 0u}, {21.0, 1u}, {16.5, 1u}, {15.5, 0u}, {19.0, 0u}})
+            EXPECT_EQ(level_of_size(world, scale, distance), level) << scale << ' ' << distance;
+    }
+}
+
+TEST(Levels, OfTheSmallestAndTheLargestActorsAreChosen)
+{
+    World world;
+    world.add({0, 0, 0});
+    world.look({0, 1, 5}, {0, 1, 0});
+    set_scale(world, 1e-30f);
+    EXPECT_EQ(level_at(world, 500), 2u);
+    set_scale(world, 1e6f);
+    EXPECT_EQ(level_at(world, 500), 0u);
 }
 
 TEST(Levels, SeveralViewsGetTheDetailOfTheNearest)

@@ -59,7 +59,8 @@ void LevelRow::update(const clq_camera &camera, double time_s)
         double square = 0;
         for (int k = 0; k < 3; ++k)
             square += (camera.eye[k] - places_[level].position[k]) * (camera.eye[k] - places_[level].position[k]);
-        const double away = std::max(0.05, std::sqrt(square)) * static_cast<double>(lod_scale);
+        const double size = std::fabs(static_cast<double>(places_[level].scale));
+        const double away = std::max(0.05, std::sqrt(square)) * static_cast<double>(lod_scale) / size;
         const double priority = level == 0 ? 1 : 1 - (from + to) / 2 / away;
         check(clq_actor_set_priority(crowd_.get(), actors_[level],
                                      static_cast<float>(std::fmin(1.0, std::fmax(0.0, priority)))));
