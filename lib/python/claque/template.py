@@ -1,6 +1,6 @@
 """Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
-from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float, pointer
+from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float
 
 import numpy
 
