@@ -105,9 +105,15 @@ Facing facing_of(const Rig &rig)
     const Body body(rig);
     if (!body.stands()) return {};
     Way toes, eyes, legs;
-    if (body.by_toes(toes)) return {"toes", toes.heading_deg()};
-    if (body.by_eyes(eyes)) return {"eyes", eyes.heading_deg()};
-    if (body.by_legs(legs)) return {"legs", legs.heading_deg()};
+    const bool has_legs = body.by_legs(legs);
+    // Feet and heads turn; of the two ways in which the legs may stand side by side they choose one.
+    const auto chosen = [&](const char *seen, const Way &way) {
+        const bool agree = has_legs && legs.x * way.x + legs.z * way.z > 0;
+        return Facing{seen, (agree ? legs : way).heading_deg()};
+    };
+    if (body.by_toes(toes)) return chosen("toes", toes);
+    if (body.by_eyes(eyes)) return chosen("eyes", eyes);
+    if (has_legs) return chosen("legs", legs);
     return {};
 }
 
@@ -119,8 +125,7 @@ const char *axis_of(double heading_deg)
 
 double turn_to_front_deg(double heading_deg)
 {
-    const double quarters = 90 * std::floor(heading_deg / 90 + 0.5);
-    const double turn = -(std::fabs(heading_deg - quarters) <= 30 ? quarters : std::floor(heading_deg + 0.5));
+    const double turn = -90 * std::floor(heading_deg / 90 + 0.5);
     return turn <= -180 ? turn + 360 : turn;
 }
 

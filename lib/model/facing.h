@@ -13,11 +13,13 @@ struct Facing {
     bool is_elsewhere() const { return seen && (heading_deg > 45 || heading_deg < -45); }
 };
 
-// Feet point ahead, or else eyes lie ahead of the head, or else the left leg is on the left side. A figure without two
+// Feet point ahead, or else eyes lie ahead of the head, or else the left leg is on the left side. The heading is that
+// of the hips where these agree with it: files rest in poses in which feet and heads are turned. A figure without two
 // legs that stand on their feet says nothing.
 Facing facing_of(const Rig &rig);
 
-// The axis that is nearest to a heading, and the turn about y that brings it to +z: in quarters, or else to a degree.
+// The axis that is nearest to a heading, and the quarter turns about y that bring it to +z: files face along an axis,
+// and the poses in which they rest are twisted by up to 45 degrees.
 const char *axis_of(double heading_deg);
 double turn_to_front_deg(double heading_deg);
 

@@ -106,6 +106,21 @@ TEST_F(Facing, IsNotNamedWhereItIsRightOrNothingSaysIt)
     }
 }
 
+// As three.js's Soldier rests: toes point 58 degrees aside, hips 44.
+TEST_F(Facing, IsThatOfTheHipsWhereFeetAreTurned)
+{
+    FigureTraits traits = facing(0);
+    traits.feet_deg = 60;
+    EXPECT_EQ(warned(traits), "");
+    traits.heading_deg = 180;
+    EXPECT_NE(warned(traits).find("the toes of '' point to -z, and characters face +z: turn_deg 180 "),
+              std::string::npos)
+        << warned(traits);
+    traits.heading_deg = 136;
+    EXPECT_NE(warned(traits).find("point to -z, and characters face +z: turn_deg 180 "), std::string::npos)
+        << warned(traits);
+}
+
 TEST_F(Facing, IsSaidWithTheTurnThatIsThereAlready)
 {
     EXPECT_NE(warned(facing(180), 90).find("point to -x, and characters face +z: turn_deg 180 "), std::string::npos)

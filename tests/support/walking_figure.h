@@ -15,6 +15,7 @@ struct FigureTraits {
     bool toes = true, eyes = true;
     bool walks_backwards = false;  // its clips, in its own eyes
     bool lies = false;             // on its face
+    float feet_deg = 0;            // both are turned by this from where it faces
     bool runs = true;              // or its clip 'Run' only stands
     bool strange_names = false;    // of the legs' nodes
 };
@@ -68,6 +69,7 @@ private:
         const int shin = bone(name("Leg", "2"), {0, -0.42f, 0}, {0, -0.2f, 0}, {0.05f, 0.2f, 0.05f});
         const int foot = bone(name("Foot", "3"), {0, -0.4f, 0}, {0, -0.03f, 0.05f}, {0.04f, 0.02f, 0.11f});
         children(hips, {thigh}), children(thigh, {shin}), children(shin, {foot});
+        maker_.json["nodes"][static_cast<size_t>(foot)]["rotation"] = turn({0, 1, 0}, traits_.feet_deg);
         if (traits_.toes)
             children(foot, {bone(name("ToeBase", "4"), {0, -0.03f, 0.1f}, {0, 0, 0.03f}, {0.04f, 0.02f, 0.03f})});
         thighs_[side] = thigh, shins_[side] = shin;
