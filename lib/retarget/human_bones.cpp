@@ -1,7 +1,6 @@
 #include "lib/retarget/human_bones.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 #include <string_view>
 
@@ -23,7 +22,12 @@ bool ends(std::string_view text, std::string_view part)
 {
     return text.size() >= part.size() && text.substr(text.size() - part.size()) == part;
 }
-bool is_alnum(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
+
+// Of ASCII, whatever the host's locale is.
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_alnum(char c) { return is_upper(c) || is_lower(c) || (c >= '0' && c <= '9'); }
+char lower(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // Lower case without separators, and without what stands before a colon.
 std::string plain(std::string_view name)
@@ -31,7 +35,7 @@ std::string plain(std::string_view name)
     std::string out;
     for (const char c : name)
         if (c == ':') out.clear();
-        else if (is_alnum(c)) out.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+        else if (is_alnum(c)) out.push_back(lower(c));
     return out;
 }
 
@@ -41,11 +45,10 @@ std::string side_of(std::string_view name, std::string_view plain_name)
     if (has(plain_name, "left")) return "left";
     if (has(plain_name, "right")) return "right";
     for (size_t i = 0; i < name.size(); ++i) {
-        const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+        const char c = lower(name[i]);
         if (c != 'l' && c != 'r') continue;
         const bool last = i + 1 == name.size();
-        const bool begins = i == 0 || !is_alnum(name[i - 1]) ||
-                            (last && name[i] != c && std::islower(static_cast<unsigned char>(name[i - 1])) != 0);
+        const bool begins = i == 0 || !is_alnum(name[i - 1]) || (last && is_upper(name[i]) && is_lower(name[i - 1]));
         if (begins && (last || !is_alnum(name[i + 1]))) return c == 'l' ? "left" : "right";
     }
     return "";
