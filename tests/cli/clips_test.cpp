@@ -1,13 +1,12 @@
 // Clips for characters from other files: bound by joint name or by a joint map, and refusals.
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
 
-#include "tests/cli/run.h"
+#include "tests/cli/dumped.h"
 #include "tests/support/collected_file.h"
 #include "tests/support/written_characters.h"
 
@@ -80,20 +79,7 @@ protected:
         const std::vector<std::string> all = {"citizen", "--clips", path("bow.bvh"), "--map", path("bow.toml"),
                                               "--clip",  "bow",     "--time",        time};
         more.insert(more.begin(), all.begin(), all.end());
-        return dumped(more).first;
-    }
-    // Positions of all vertices, and standard error.
-    std::pair<std::vector<float>, std::string> dumped(std::vector<std::string> arguments) const
-    {
-        arguments.insert(arguments.begin(), "dump");
-        arguments.insert(arguments.end(), {"--out", path("dumped.npy")});
-        const Outcome done = claque(arguments);
-        EXPECT_EQ(done.code, 0) << done.err;
-        const std::string npy = file_text(path("dumped.npy"));
-        const size_t head = 10 + static_cast<unsigned char>(npy[8]) + 256 * static_cast<unsigned char>(npy[9]);
-        std::vector<float> out((npy.size() - head) / 4);
-        std::memcpy(out.data(), npy.data() + head, 4 * out.size());
-        return {out, done.err};
+        return dumped(more, path("bow.npy")).first;
     }
     // Standard error, which must be one sentence.
     std::string failure(const std::vector<std::string> &arguments) const
@@ -154,63 +140,6 @@ TEST_F(Clips, OfAnotherCharacterAreBoundByJointName)
     ASSERT_EQ(with["split"]["clips"].size(), 2 * own);
     EXPECT_EQ(last_clip(with)["name"], "stand_shift.2") << "a name that is taken gets a number";
     EXPECT_FALSE(with["loaded"]["warnings"].empty());
-}
-
-// As LAFAN1 writes people: the x axis of each joint points to the next, and angles of zero are no pose. This one stands
-// with its arms 75 degrees down.
-std::string standing_along_x()
-{
-    struct Joint {
-        const char *name;
-        int depth, x, y, turn_deg;  // about z
-    };
-    const std::vector<Joint> joints = {
-        {"Hips", 0, 0, 0, 90},         {"Spine", 1, 20, 0, 0},        {"Head", 2, 40, 0, 0},
-        {"LeftArm", 2, 25, -18, -165}, {"LeftForeArm", 3, 28, 0, 0},  {"LeftHand", 4, 25, 0, 0},
-        {"RightArm", 2, 25, 18, 165},  {"RightForeArm", 3, 28, 0, 0}, {"RightHand", 4, 25, 0, 0},
-        {"LeftUpLeg", 1, 0, -10, 180}, {"LeftLeg", 2, 42, 0, 0},      {"LeftFoot", 3, 42, 0, 0},
-        {"RightUpLeg", 1, 0, 10, 180}, {"RightLeg", 2, 42, 0, 0},     {"RightFoot", 3, 42, 0, 0}};
-    std::string text = "HIERARCHY\n", frame = "0 92 0";
-    for (size_t i = 0; i < joints.size(); ++i) {
-        const Joint &j = joints[i];
-        text += std::string(i == 0 ? "ROOT " : "JOINT ") + j.name + "\n{\nOFFSET " + std::to_string(j.x) + " " +
-                std::to_string(j.y) + " 0\n" + (i == 0 ? "CHANNELS 4 Xposition Yposition Zposition" : "CHANNELS 1") +
-                " Zrotation\n";
-        frame += " " + std::to_string(j.turn_deg);
-        const int next = i + 1 < joints.size() ? joints[i + 1].depth : 0;
-        for (int depth = j.depth; depth >= next; --depth) text += "}\n";
-    }
-    return text + "MOTION\nFrames: 3\nFrame Time: 0.1\n" + frame + "\n" + frame + "\n" + frame + "\n";
-}
-
-TEST_F(Clips, OfASkeletonAlongOneAxisStandAndSayHow)
-{
-    write("along.bvh", standing_along_x());
-    write("file.toml", "rest = \"file\"\n");
-    write("frame.toml", "rest = \"frame:2\"\n");
-    const auto box = [](const std::vector<float> &xyz, size_t axis) {
-        float low = 1e9f, high = -1e9f;
-        for (size_t i = axis; i < xyz.size(); i += 3) low = std::min(low, xyz[i]), high = std::max(high, xyz[i]);
-        return std::pair<float, float>(low, high);
-    };
-    const std::vector<std::string> along = {"citizen", "--clips", path("along.bvh"), "--clip", "along", "--time", "0"};
-    const auto with_map = [&](const char *map) {
-        std::vector<std::string> all = along;
-        all.insert(all.end(), {"--map", path(map)});
-        return dumped(all);
-    };
-    const auto [stands, said] = dumped(along);
-    EXPECT_NEAR(box(stands, 1).second - box(stands, 1).first, 1.75, 0.05);
-    EXPECT_LT(box(stands, 0).second, 0.55f) << "the arms hang";
-    EXPECT_GT(box(stands, 0).second, 0.25f) << "outside of the body";
-    EXPECT_NE(said.find("without a map 15 joints are bound"), std::string::npos) << said;
-    EXPECT_NE(said.find("lie along x. Frame 0 of 'along' takes its place; rest = \"frame:N\""), std::string::npos)
-        << said;
-    EXPECT_EQ(said.find("unlike"), std::string::npos) << said;
-    const auto [lies, warned] = with_map("file.toml");
-    EXPECT_LT(box(lies, 1).second - box(lies, 1).first, 1.2f);
-    EXPECT_NE(warned.find("rest = \"bones\" in the map"), std::string::npos) << warned;
-    EXPECT_NEAR(box(with_map("frame.toml").first, 1).second, box(stands, 1).second, 0.05);
 }
 
 TEST_F(Clips, ThatAreInvalidAreRefusedInOneSentence)
