@@ -224,8 +224,7 @@ private:
             }
         const bool of_crowd = found.substr(0, 6) == "crowd.";
         const Names::Found variable = of_crowd ? names_.crowd_variable(found.substr(6)) : names_.variable(found);
-        if (variable.index == none)
-            refuse(begin, "'" + std::string(found) + "' is not known" + names_.near(found));
+        if (variable.index == none) refuse(begin, "'" + std::string(found) + "' is not known" + names_.near(found));
         put(of_crowd ? Code::crowd : Code::variable, variable.index);
         return variable.type;
     }

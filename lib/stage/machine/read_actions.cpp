@@ -125,8 +125,7 @@ void MachineReader::read_set(const toml::table &from, Action &made)
     const std::string name = doc_.string(node, "set");
     made.of_crowd = name.compare(0, 6, "crowd.") == 0;
     const Found found = made.of_crowd ? crowd_variable(name.substr(6)) : variable(name);
-    if (found.index == none)
-        doc_.refuse(node, "there is no variable '" + name + "' to set" + near(name));
+    if (found.index == none) doc_.refuse(node, "there is no variable '" + name + "' to set" + near(name));
     made.variable = found.index;
     const toml::node *to = from.get("to");
     if (!to) doc_.refuse(from, "'set' needs 'to'");
