@@ -54,10 +54,11 @@ typedef struct clq_asset_options {
 
 CLQ_DEFINE_ZERO_INIT(clq_asset_options)
 
-/* Loads a glTF 2.0, GLB or BVH file; the content decides which. The bytes may be anything. Warnings go to the context's
- * log. KHR_draco_mesh_compression, EXT_meshopt_compression and EXT_texture_webp are read if the library was built with
- * their decoders; the text of UNSUPPORTED says which it has. A BVH file gives a skeleton without parts and one clip
- * named after the file (clq_asset_load: "motion"): a source for clq_asset_add_clips.
+/* Loads a glTF 2.0, GLB or BVH file; the content decides which, not the name. The bytes may be anything. Warnings go to
+ * the context's log, those of clq_asset_load_file with the path in front. KHR_draco_mesh_compression,
+ * EXT_meshopt_compression and EXT_texture_webp are read if the library was built with their decoders; the text of
+ * UNSUPPORTED says which it has. A BVH file gives a skeleton without parts and one clip named after the file
+ * (clq_asset_load: "motion"): a source for clq_asset_add_clips.
  *
  * glTF files may extend the format by `extras`:
  *   in an animation   "extras": {"claque": {"markers": [{"name": "left foot down", "time_s": 0.25}],
@@ -142,14 +143,23 @@ typedef struct clq_asset_part {
     uint32_t topology; /* glTF's mode: 0 points ... 4 triangles ... 6 fan */
 } clq_asset_part;
 
+typedef struct clq_asset_node {
+    uint32_t struct_bytes; /* set by clq_asset_node_init */
+    const char *name;      /* "": the file gives it none */
+    uint32_t parent;       /* a node before it; CLQ_NONE: it is a root */
+    bool joint;            /* vertices follow it */
+} clq_asset_node;
+
 CLQ_DEFINE_ZERO_INIT(clq_asset_info)
 CLQ_DEFINE_ZERO_INIT(clq_asset_part)
+CLQ_DEFINE_ZERO_INIT(clq_asset_node)
 
 /* Get what an asset holds. Strings live until the asset changes.
  *   out   made by its _init function
  * Fail: STRUCT_SIZE, ARGUMENT (NULL, an index that is too large), OUT_OF_MEMORY. Threads: any. GL: none. */
 CLQ_API clq_status clq_asset_get_info(const clq_asset *asset, clq_asset_info *out);
 CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_part *out);
+CLQ_API clq_status clq_asset_get_node(const clq_asset *asset, uint32_t node, clq_asset_node *out);
 CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);
 
 /* Returns a warning of loading as one sentence; "" beyond the last one. Threads: any. GL: none. */

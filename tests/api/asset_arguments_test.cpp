@@ -123,6 +123,8 @@ TEST_F(AssetArguments, GettersRefuseWhatTheyCannotFill)
     tried([](const clq_asset *asset, uint32_t, clq_asset_info *out) { return clq_asset_get_info(asset, out); },
           clq_asset_info_init(), "clq_asset_get_info", nullptr);
     tried(clq_asset_get_part, clq_asset_part_init(), "clq_asset_get_part", "part 9999 does not exist: 'citizen' has 1");
+    tried(clq_asset_get_node, clq_asset_node_init(), "clq_asset_get_node",
+          "node 9999 does not exist: 'citizen' has 33");
     tried(clq_asset_get_clip, clq_clip_info_init(), "clq_asset_get_clip", "clip 9999 does not exist: 'citizen' has 23");
     tried(clq_asset_get_image, clq_asset_image_init(), "clq_asset_get_image",
           "image 9999 does not exist: 'citizen' has");
@@ -153,8 +155,10 @@ TEST_F(AssetArguments, PositionsNeedAClipAndRoom)
 TEST_F(AssetArguments, NamesThatAreNotBuiltInAreToldThoseThatAre)
 {
     const std::string all = "citizen, patrician, decurion, plebeian, herald, owl";
-    expect_refused(clq_asset_builtin(context_, "centurion", &made_),
-                   "there is no built-in character 'centurion'; there are: " + all);
+    expect_refused(clq_asset_builtin(context_, "senator", &made_),
+                   "there is no built-in character 'senator'; there are: " + all);
+    expect_refused(clq_asset_builtin(context_, "Citizens", &made_),
+                   "there is no built-in character 'Citizens': 'citizen' is near");
     expect_refused(clq_asset_builtin_varied(context_, "owl", 30, &made_),
                    "there is no built-in person 'owl'; there are: citizen, patrician, decurion, plebeian");
     expect_refused(clq_asset_builtin_varied(context_, "citizen", 22, &made_), "22 clips: 23 to 2000 are wanted");

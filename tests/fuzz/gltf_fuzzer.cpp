@@ -32,6 +32,10 @@ clq_asset_info ask(const clq_asset *asset)
         clq_asset_part part = clq_asset_part_init();
         EXPECT_EQ(clq_asset_get_part(asset, i, &part), CLQ_OK) << clq_last_error();
     }
+    for (uint32_t i = 0; i < info.node_count; ++i) {
+        clq_asset_node node = clq_asset_node_init();
+        EXPECT_EQ(clq_asset_get_node(asset, i, &node), CLQ_OK) << clq_last_error();
+    }
     std::vector<float> positions(3 * size_t(info.vertex_count) + 1);
     for (uint32_t i = 0; i < info.clip_count && i < 4; ++i) {
         clq_clip_info clip = clq_clip_info_init();

@@ -12,6 +12,7 @@
 #include "lib/asset/bvh.h"
 #include "lib/asset/file.h"
 #include "lib/asset/gltf.h"
+#include "lib/base/near_names.h"
 #include "lib/figures/figure.h"
 
 using namespace claque;
@@ -44,19 +45,20 @@ struct Loaded {
     double own_turn_deg = 0;
 };
 
-// Makes the handle of a parsed model and logs the warnings of parsing.
-clq_asset *finish(clq_context *context, model::Model &&model, bool placed = false)
+// Makes the handle of a parsed model and logs the warnings of parsing. `of`: the file and a colon, or nothing.
+clq_asset *finish(clq_context *context, model::Model &&model, const std::string &of = "")
 {
     auto made = std::make_unique<clq_asset>(std::move(model));
-    made->placed = placed;
-    for (const std::string &warning : made->model.warnings) clq_context_log(context, CLQ_LOG_WARNING, warning.c_str());
+    for (const std::string &warning : made->model.warnings)
+        clq_context_log(context, CLQ_LOG_WARNING, (of + warning).c_str());
     return made.release();
 }
 
-clq_asset *finish(clq_context *context, Loaded &&loaded, const clq_asset_options &options)
+clq_asset *finish(clq_context *context, Loaded &&loaded, const clq_asset_options &options, const std::string &of = "")
 {
     const bool placed = api::place(loaded.model, loaded.own_turn_deg, options);
-    clq_asset *asset = finish(context, std::move(loaded.model), placed);
+    clq_asset *asset = finish(context, std::move(loaded.model), of);
+    asset->placed = placed;
     asset->wild_colours = options.wild_colours;
     return asset;
 }
@@ -71,12 +73,12 @@ Loaded load(const uint8_t *bytes, size_t size, const asset::LoadOptions &options
 
 model::Model made_of(const std::vector<figures::Builtin> &figures, const char *what, const char *name)
 {
-    std::string names;
+    std::vector<std::string_view> names;
     for (const figures::Builtin &figure : figures) {
         if (std::string_view(name) == figure.name) return figure.make();
-        names += std::string(names.empty() ? "" : ", ") + figure.name;
+        names.emplace_back(figure.name);
     }
-    base::fail(CLQ_ARGUMENT, "there is no %s '%s'; there are: %s", what, name, names.c_str());
+    base::fail(CLQ_ARGUMENT, "there is no %s '%s'%s", what, name, base::names_near(name, names).c_str());
 }
 
 std::string stem_of(const std::string &path)
@@ -114,7 +116,7 @@ clq_status clq_asset_load_file(clq_context *context, const char *path, const clq
             if (loaded.model.name.empty()) loaded.model.name = stem_of(path);
             if (asset::is_bvh(bytes.data(), bytes.size()))
                 for (std::pmr::string &name : loaded.model.rig.clip_names) name = stem_of(path).c_str();
-            *out = finish(context, std::move(loaded), given);
+            *out = finish(context, std::move(loaded), given, std::string(path) + ": ");
         } catch (const base::Error &error) {
             base::fail(error.status(), "%s: %s", path, error.what());
         }

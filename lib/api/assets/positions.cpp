@@ -223,6 +223,23 @@ clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq_asset_p
     });
 }
 
+clq_status clq_asset_get_node(const clq_asset *asset, uint32_t node, clq_asset_node *out)
+{
+    return api::boundary("clq_asset_get_node", [&] {
+        api::require(asset && out, "asset or out is NULL");
+        api::require_size(*out, "clq_asset_node_init");
+        const model::Rig &rig = asset->model.rig;
+        if (node >= rig.node_count())
+            base::fail(CLQ_ARGUMENT, "node %u does not exist: '%s' has %u", node, asset->model.name.c_str(),
+                       rig.node_count());
+        clq_asset_node info = clq_asset_node_init();
+        info.name = rig.node_names[node].c_str();
+        info.parent = rig.parents[node];
+        for (const model::PaletteEntry &entry : rig.palette) info.joint |= entry.node == node;
+        api::write_out(out, info);
+    });
+}
+
 clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out)
 {
     return api::boundary("clq_asset_get_clip", [&] {

@@ -8,10 +8,12 @@ from ctypes import (POINTER, Structure, c_bool, c_char_p, c_double, c_float, c_i
                     c_uint16, c_uint32, c_uint64, c_void_p)
 
 from .errors import Error, Status
+from .heard import heard
 from .places import library_paths
 
 NONE = 0xFFFFFFFF
 RANDOM = 0xFFFFFFFF
+LOG_WARNING = 1
 
 
 class Sized(Structure):
@@ -213,6 +215,11 @@ def _loaded(path):
         raise Error(f"{path} cannot be loaded: {error}") from None
 
 
+def _is_made(argument):
+    """Whether a call writes an object there, which then gives the call's warnings (owner.py)."""
+    return isinstance(getattr(argument, "_obj", None), c_void_p)
+
+
 class _Library:
     """Calls functions by name. Functions that return a status raise Error unless it is OK."""
 
@@ -231,6 +238,8 @@ class _Library:
     def call(self, name, *arguments):
         function = self._known.get(name) or self._known.setdefault(name, self.function(name))
         status = function(*arguments)
+        if heard.texts and (status != Status.OK or not any(map(_is_made, arguments))):
+            heard.warn()
         if status != Status.OK:
             raise Error(self._core.clq_last_error().decode("utf-8", "replace"), Status(status))
 

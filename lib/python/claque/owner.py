@@ -3,6 +3,7 @@
 from ctypes import byref, c_void_p
 
 from .abi import Error, library
+from .heard import heard
 
 
 class Closing:
@@ -29,6 +30,7 @@ class Owned(Closing):
     def __init__(self, pointer, *held):
         self._pointer = pointer
         self._held = held
+        heard.warn()  # an exception now closes the object
 
     @property
     def handle(self):

@@ -1,5 +1,6 @@
 """Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
+import difflib
 from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float
 
 import numpy
@@ -79,10 +80,12 @@ class Template(Owned):
         return names
 
     def clip(self, name):
-        """The index of a clip. Raises KeyError that lists the existing names."""
+        """The index of a clip. Raises KeyError with the names that are near, or else with all."""
         names = list(self.clips)
         if name not in names:
-            raise KeyError(f"{self.name} has no clip {name!r}; it has {', '.join(names)}")
+            near = difflib.get_close_matches(name, names, 3)
+            told = f"near are {', '.join(near)}" if near else f"it has {', '.join(names)}"
+            raise KeyError(f"{self.name} has no clip {name!r}; {told}")
         return names.index(name)
 
     def node(self, name):
