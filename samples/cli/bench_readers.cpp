@@ -13,6 +13,7 @@
 #include "samples/cli/progress.h"
 #include "samples/cli/reader_files.h"
 #include "samples/cli/reader_law.h"
+#include "samples/cli/warnings.h"
 
 namespace cli
 {
@@ -78,6 +79,7 @@ static Json rows(uint32_t most, const Law &law)
 {
     keep_freed_memory();
     Progress progress("claque bench");
+    silence_warnings();  // of files that it makes itself
     scenes::Library library(1);
     Json out = Json::array();
     const std::vector<ReaderElement> all = reader_elements();

@@ -129,7 +129,7 @@ scenes::Character LoadedCharacter::character() const
 {
     scenes::Character character;
     character.tmpl = tmpl.get();
-    character.first_clip = first_clip;
+    character.first_clip = first_clip, character.one_clip = one_clip;
     if (asset) {
         const clq_asset_info info = info_of(asset.get());
         character.has_box = true;
@@ -144,9 +144,11 @@ bool is_prepared(const std::string &path) { return path.size() > 4 && path.subst
 
 bool is_other_format(const std::string &path)
 {
-    static const std::set<std::string> others = {".fbx",  ".dae", ".obj", ".3ds", ".x",   ".blend", ".md5mesh",
-                                                 ".ms3d", ".b3d", ".lwo", ".smd", ".ply", ".stl"};
-    return others.count(io::ending_of(path)) != 0 || path.find(".mesh.xml") != std::string::npos;
+    static const std::set<std::string> others = {".fbx", ".dae", ".obj", ".3ds", ".x",   ".blend", ".md5mesh", ".ms3d",
+                                                 ".b3d", ".lwo", ".smd", ".ply", ".stl", ".iqm",   ".md2",     ".egg"};
+    const std::string ogre = ".mesh.xml";
+    return others.count(io::ending_of(path)) != 0 ||
+           (path.size() > ogre.size() && path.compare(path.size() - ogre.size(), ogre.size(), ogre) == 0);
 }
 
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path, const FileArguments &of_file,
@@ -160,11 +162,12 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
     } else {
         if (clips.vary > 0)
             throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
-        if (is_other_format(path))
-            throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
         const std::vector<const char *> names = pointers(of_file.hidden);
         const clq_asset_options options = options_of(names, of_file, clips);
-        check(clq_asset_load_file(library.context(), path.c_str(), &options, &made));
+        const clq_status read = clq_asset_load_file(library.context(), path.c_str(), &options, &made);
+        if (read != CLQ_OK && is_other_format(path))
+            throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
+        check(read);
     }
     scenes::Own<clq_asset> asset(made);
     const uint32_t first = add_clips(library, made, clips);

@@ -17,11 +17,12 @@ struct LoadedCharacter {
     scenes::Own<clq_asset> asset;  // none for prepared files
     scenes::Own<clq_template> tmpl;
     uint32_t first_clip = 0;  // to show: of the added clips, where there are any
+    bool one_clip = false;    // and no other
     scenes::Character character() const;
 };
 
 bool is_prepared(const std::string &path);
-// Whether a file's name says that it is of a format that only `claque convert` reads.
+// Whether a file's name ends as those of formats that only `claque convert` reads. Its content decides.
 bool is_other_format(const std::string &path);
 
 // Both throw Failure with the path in the message. `first_clip`: the first to show, see add_clips.

@@ -1,8 +1,5 @@
 #include "samples/cli/clip_arguments.h"
 
-#include <iostream>
-#include <set>
-
 #include "samples/cli/characters.h"
 #include "samples/cli/files.h"
 #include "samples/cli/joint_map.h"
@@ -103,11 +100,6 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     for (const std::string &file : a.files) {
         const scenes::Own<clq_asset> source = load_asset(library, file, {}, source_arguments);
         scenes::check(clq_asset_add_clips(library.context(), asset, source.get(), &def, nullptr), file);
-    }
-    static std::set<std::string> said;  // levels are made of a second asset with the same clips
-    for (uint32_t i = before.warning_count; i < info_of(asset).warning_count; ++i) {
-        const std::string warning = clq_asset_get_warning(asset, i);
-        if (said.insert(warning).second) std::cerr << "claque: " << warning << "\n";
     }
     return before.clip_count;
 }

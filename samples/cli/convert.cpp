@@ -1,12 +1,12 @@
 // claque convert: an old character format to GLB.
 #include "samples/convert/convert.h"
 
-#include <iostream>
 #include <memory>
 
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/warnings.h"
 
 namespace cli
 {
@@ -41,7 +41,7 @@ void convert_old(ConvertArguments a)
     a.limits.memory_bytes = a.memory_mib << 20;
     const convert::Converted made = convert::convert_file(a.file, a.options, a.limits);
     read_back(a.file, made.glb);
-    for (const std::string &warning : made.warnings) std::cerr << "claque: " << warning << "\n";
+    for (const std::string &warning : made.warnings) print_warning(a.file + ": " + warning);
     write_whole(a.out, made.glb);
 }
 

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "samples/cli/characters.h"
+#include "samples/cli/clip_choice.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/io/npy.h"
@@ -19,24 +20,16 @@ struct DumpArguments {
     double time_s = 0;
 };
 
-// Finds a clip by its name, or else by its number.
 uint32_t find_clip(const clq_asset *asset, const DumpArguments &a)
 {
     if (a.clip.empty()) return CLQ_NONE;
-    const uint32_t count = info_of(asset).clip_count;
-    std::string names;
-    for (uint32_t i = 0; i < count; ++i) {
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < info_of(asset).clip_count; ++i) {
         clq_clip_info clip = clq_clip_info_init();
         scenes::check(clq_asset_get_clip(asset, i, &clip));
-        if (a.clip == clip.name) return i;
-        names += (i == 0 ? "" : ", ") + std::string(clip.name);
+        names.emplace_back(clip.name);
     }
-    if (a.clip.size() <= 9 && a.clip.find_first_not_of("0123456789") == std::string::npos) {
-        const unsigned long number = std::stoul(a.clip);
-        if (number < count) return static_cast<uint32_t>(number);
-    }
-    throw scenes::Failure(a.file + " has no clip '" + a.clip + "' among its " + std::to_string(count) +
-                          (names.empty() ? "" : " (" + names + ")"));
+    return clip_named(a.clip, names, a.file);
 }
 
 void dump(const DumpArguments &a)

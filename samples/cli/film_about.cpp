@@ -11,6 +11,7 @@ Json film_about(const RenderArguments &a, const scenes::SceneOptions &options, c
     Json scene = scene_about(a.setup, options);
     scene["colours"] = file_about(a.colours.file), scene["clips"] = Json::array();
     for (const std::string &file : a.clips.files) scene["clips"].push_back(file_about(file));
+    if (!a.clip.empty()) scene["clip"] = a.clip;
     scene["vary"] = a.clips.vary, scene["fps"] = a.fps, scene["samples"] = a.samples;
     const std::string text = scene.dump();
     Json about = {{"scene_hash", sha256_of(text.data(), text.size())}, {"scene", scene}};

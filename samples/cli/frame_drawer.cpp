@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdio>
 
+#include "samples/cli/clip_choice.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/io/png.h"
+#include "samples/scenes/template_names.h"
 
 namespace cli
 {
@@ -21,6 +23,10 @@ const Subject &FrameDrawer::subject()
     const RenderArguments &a = arguments_;
     if (!a.setup.file.empty())
         loaded_ = load_character(library_, a.setup.file, a.setup.of_file, a.clips, levels_of_file(a.setup));
+    if (!a.clip.empty()) {
+        loaded_.first_clip = clip_named(a.clip, scenes::names_of_clips(loaded_.tmpl.get()), a.setup.file);
+        loaded_.one_clip = true;
+    }
     options_ = scene_options(a.setup, loaded_);
     options_.crowd_options.as_shown = true;
     scene_renderer_.emplace(library_, options_);

@@ -6,6 +6,7 @@
 
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
+#include "samples/cli/inspect_nodes.h"
 #include "samples/cli/scene_arguments.h"
 
 namespace cli
@@ -180,8 +181,6 @@ void print_text(const Json &report)
     if (report.contains("loaded")) {
         print_rows(report["loaded"]["part_list"], "parts");
         if (!report.contains("split")) print_rows(report["loaded"]["clips"], "clips");
-        for (const Json &warning : report["loaded"]["warnings"])
-            std::cout << "warning: " << warning.get<std::string>() << "\n";
     }
     if (report.contains("split")) {
         print_rows(report["split"]["zones"], "zones");
@@ -195,24 +194,33 @@ struct InspectArguments {
     std::string file;
     FileArguments of_file;
     ClipArguments clips;
-    bool json = false;
+    bool nodes = false, json = false;
 };
 
 void inspect(const InspectArguments &a)
 {
     scenes::Library library(core_count());
     Json report = {{"file", a.file}};
-    if (is_prepared(a.file)) report["split"] = template_json(load_character(library, a.file).tmpl.get());
-    else {
+    const auto split = [&](clq_template *tmpl) {
+        report["split"] = template_json(tmpl);
+        if (a.nodes) add_locomotion(library, tmpl, a.file, report);
+    };
+    if (is_prepared(a.file)) {
+        const LoadedCharacter loaded = load_character(library, a.file);
+        if (a.nodes) add_names(loaded.tmpl.get(), report);
+        split(loaded.tmpl.get());
+    } else {
         const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
         report["loaded"] = asset_json(asset.get());
+        if (a.nodes) add_names(asset.get(), report);
         clq_template *made = nullptr;
         if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
-            report["split"] = template_json(scenes::Own<clq_template>(made).get());
+            split(scenes::Own<clq_template>(made).get());
         else report["not_split"] = clq_last_error();  // points and lines load, but cannot be split
     }
     if (a.json) std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     else print_text(report);
+    if (a.nodes && !a.json) print_names(report);
 }
 
 }  // namespace
@@ -226,6 +234,9 @@ void add_inspect(CLI::App &app, Work &chosen)
         ->required();
     add_file_options(*c, a->of_file);
     add_clip_options(*c, a->clips);
+    c->add_flag("--nodes", a->nodes,
+                "Print the names of nodes, joints and materials too, and the legs and paces of a walker, or why it "
+                "cannot walk");
     c->add_flag("--json", a->json, "Print JSON");
     c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });
 }

@@ -1,5 +1,6 @@
 #include "samples/cli/program.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <iostream>
@@ -11,7 +12,9 @@
 #include "samples/cli/help.h"
 #include "samples/cli/number_options.h"
 #include "samples/cli/terminal.h"
+#include "samples/cli/warnings.h"
 #include "samples/io/joined.h"
+#include "samples/io/near_names.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
 #include "samples/scenes/check.h"
@@ -38,12 +41,37 @@ std::string no_subcommand(const CLI::App &app, int argc, char **argv)
             if (word < argc && one->get_name() == argv[word]) next = one;
         }
         if (known.empty() || (!next && word < argc && argv[word][0] == '-')) return "";
-        if (!next)
-            return (word < argc ? "'" + std::string(argv[word]) + "' is no subcommand of " + at->get_name()
-                                : at->get_name() + " needs a subcommand") +
-                   "; there are: " + io::joined(known);
+        if (!next && word < argc)
+            return "'" + std::string(argv[word]) + "' is no subcommand of " + at->get_name() +
+                   io::names_near(argv[word], known);
+        if (!next) return at->get_name() + " needs a subcommand; there are: " + io::joined(known);
         at = next;
     }
+}
+
+// The first long option that the command does not have, where another is near; else "".
+std::string unknown_option(const CLI::App &app, int argc, char **argv)
+{
+    const CLI::App *at = &app;
+    while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+    std::vector<std::string> known;
+    for (const CLI::Option *option : at->get_options())
+        for (const std::string &name : option->get_lnames()) known.push_back("--" + name);
+    for (int word = 1; word < argc && std::string_view(argv[word]) != "--"; ++word) {
+        const std::string text = argv[word], name = text.substr(0, text.find('='));
+        if (name.size() < 3 || name.rfind("--", 0) != 0) continue;
+        if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+        const std::string near = io::near_names(name, known);
+        return near.empty() ? "" : "'" + name + "' is no option of " + at->get_name() + ": " + near;
+    }
+    return "";
+}
+
+void add_quiet(CLI::App &app)
+{
+    const auto below = app.get_subcommands([](const CLI::App *one) { return !one->get_name().empty(); });
+    if (below.empty()) app.add_flag_callback("--quiet", silence_warnings, "Print no warnings");
+    for (CLI::App *one : below) add_quiet(*one);
 }
 
 int fail(const std::string &sentence)
@@ -68,7 +96,8 @@ int parse(CLI::App &app, int argc, char **argv)
         app.exit(help);
         return said_all() == 0 ? -1 : 1;
     } catch (const CLI::ParseError &error) {
-        const std::string none = no_subcommand(app, argc, argv);
+        std::string none = no_subcommand(app, argc, argv);
+        if (none.empty()) none = unknown_option(app, argc, argv);
         if (none.empty()) app.exit(error, std::cerr, std::cerr);
         else std::cerr << none << "\nRun with --help for more information.\n";
         return 2;
@@ -109,12 +138,14 @@ int run_program(int argc, char **argv, std::initializer_list<Add> subcommands)
     if (processes::is_scheduled()) processes::take_mesa_threads(1);
     Work chosen;
     for (const Add add : subcommands) add(app, chosen);
+    add_quiet(app);
     expect_plain_numbers(app);
 
     try {
         const int parsed = parse(app, argc, argv);
         if (parsed != 0) return parsed < 0 ? 0 : parsed;
         io::watch_signals();
+        print_warnings();
         chosen();
         return said_all();
     } catch (const CLI::ParseError &misuse) {

@@ -179,6 +179,10 @@ void add_render(CLI::App &app, Work &chosen)
     for (const char *of_sequences : {"--stride", "--fps", "--again", "--chunk", "--manifest"})
         c->get_option(of_sequences)->needs("--frames");
     add_clip_options(*c, a->clips);
+    c->add_option("--clip", a->clip,
+                  "Everyone plays this clip of FILE from its beginning, in step (name or number; default: all in turn)")
+        ->type_name("NAME")
+        ->needs(file);
     c->callback([a, &chosen] {
         check_picture_usage(*a);
         chosen = [a] { render(*a); };

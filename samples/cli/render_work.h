@@ -15,6 +15,7 @@ struct RenderArguments {
     SceneArguments setup;
     ColourArguments colours;
     ClipArguments clips;  // for the scene's FILE
+    std::string clip;     // of FILE, which alone is shown; empty: all in turn
     double time_s = 2.0, fps = 25.0;
     std::string frames, out, json;
     FrameRange range;

@@ -52,7 +52,6 @@ void split(const SplitArguments &a)
         scenes::check(clq_template_get_zone(loaded.tmpl.get(), i, &zone));
         std::printf("  %-24s %u clean\n", zone.name, zone.clean_count);
     }
-    for (const std::string &warning : library.warnings()) std::printf("warning: %s\n", warning.c_str());
 }
 
 }  // namespace

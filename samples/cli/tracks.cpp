@@ -97,7 +97,6 @@ void print(const TracksReport &r)
                   r.distance_m, static_cast<unsigned long long>(r.plants), 100 * r.standing_share, r.mean_shift_m,
                   r.max_shift_m);
     line("shown", text);
-    for (const std::string &warning : r.warnings) line("warning", warning);
 }
 
 Json json_of(const TracksReport &r)

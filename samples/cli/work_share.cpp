@@ -1,6 +1,7 @@
 #include "samples/cli/work_share.h"
 
 #include "samples/cli/command.h"
+#include "samples/cli/warnings.h"
 #include "samples/processes/crew.h"
 #include "samples/processes/machine_share.h"
 #include "samples/processes/rank_team.h"
@@ -73,6 +74,7 @@ void share_work(const std::function<void(processes::Ranks *)> &lead,
     const std::unique_ptr<processes::Ranks> ranks = processes::join_ranks();
     if (!ranks) return lead(nullptr);
     try {
+        if (ranks->rank() > 0) silence_warnings();  // rank 0 reads the same files
         if (ranks->rank() > 0) serve(*ranks);
         else lead(ranks.get());
     } catch (const std::exception &failure) {

@@ -44,6 +44,9 @@ int append(void *user, const void *bytes, size_t size)
     return 0;
 }
 
+constexpr size_t most_warnings = 1000;
+void (*heard_by)(const std::string &) = nullptr;
+
 }  // namespace
 
 const std::vector<std::string> person_names = {"citizen", "patrician", "decurion", "plebeian"};
@@ -65,13 +68,17 @@ Library::Library(int threads) : tasks_(threads)
     def.log.write = [](void *user, clq_log_level level, const char *text) {
         if (level != CLQ_LOG_WARNING) return;
         Library *self = static_cast<Library *>(user);
+        if (heard_by) heard_by(text);
         const std::lock_guard<std::mutex> lock(self->mutex_);
-        self->warnings_.emplace_back(text);
+        std::vector<std::string> &all = self->warnings_;
+        if (all.size() < most_warnings && std::find(all.begin(), all.end(), text) == all.end()) all.emplace_back(text);
     };
     clq_context *made = nullptr;
     check(clq_context_create(&def, &made));
     context_.reset(made);
 }
+
+void Library::hear_warnings(void (*hear)(const std::string &)) { heard_by = hear; }
 
 clq_template *Library::own(const std::string &name, const std::function<Own<clq_template>()> &make)
 {

@@ -43,7 +43,9 @@ public:
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
-    std::vector<std::string> warnings() const;
+    std::vector<std::string> warnings() const;  // each once
+    // Hears the warnings of every library of the process too; none: nobody does. To be set before the first is made.
+    static void hear_warnings(void (*hear)(const std::string &text));
 
     // For processes that make the same templates in the same order. From now on `exchange` sees the bytes of each as
     // clq_template_save writes them: those that this process made if it `makes` them, else none, to be filled in.

@@ -175,6 +175,10 @@ private:
         clq_play play = {};
         const uint32_t first = std::min(character_.first_clip, info_.clip_count);
         play.clip = info_.clip_count > first ? first + person % (info_.clip_count - first) : CLQ_NONE;
+        if (character_.one_clip) {
+            play.clip = first, play.speed = 1;
+            return play;
+        }
         play.speed = static_cast<float>(random_between(seed_, person, Purpose::speed, 0.9, 1.1));
         clq_clip_info clip = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)

@@ -26,7 +26,8 @@ struct Character {
     clq_template *tmpl = nullptr;
     bool has_box = false;
     float box_min[3] = {0, 0, 0}, box_max[3] = {0, 0, 0};
-    uint32_t first_clip = 0;  // a parade plays this one and those after it
+    uint32_t first_clip = 0;  // a parade plays this one and those after it,
+    bool one_clip = false;    // or this one alone, all in step from its beginning
 };
 
 // Of a file that is read as times are shown.
