@@ -21,7 +21,8 @@ constexpr double covering = 0.2;
 constexpr double mixed = 0.3;
 // Of a zone's own triangles: with so much of it there it belongs to the head.
 constexpr double on_head = 0.6;
-constexpr float alike = 0.12f;  // in each channel
+constexpr float most_blond_deg = 50;  // hue of hair
+constexpr float alike = 0.12f;        // in each channel
 
 Role role_named(ZoneKind kind)
 {
@@ -171,7 +172,7 @@ bool is_human_skin(const std::array<float, 3> &rgb)
 bool is_human_hair(const std::array<float, 3> &rgb)
 {
     const Hsb c = hsb_of(rgb);
-    return is_grey(c) || (c.hue_deg <= human_hair.hue_max_deg && c.saturation <= human_hair.saturation_max);
+    return is_grey(c) || (c.hue_deg <= most_blond_deg && c.saturation <= human_hair.saturation_max);
 }
 
 std::vector<Role> roles_of(const model::Model &model, const std::vector<ZoneLook> &looks)

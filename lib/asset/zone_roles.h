@@ -20,8 +20,9 @@ enum class Role : uint8_t {
 };
 
 // Human skin: the ten shades of the Monk Skin Tone scale lie at hues of 18 to 40 degrees, saturations of 0.07 to 0.48
-// and brightnesses of 0.16 to 0.97. Human hair: from black over brown, red and blond to grey.
-constexpr model::HsbRange human_skin = {8, 48, 0.06f, 0.6f, 0.15f, 1}, human_hair = {0, 50, 0, 0.8f, 0.06f, 0.9f};
+// and brightnesses of 0.16 to 0.97. Human hair: from black over brown, red and blond to grey; dark hair of higher hues
+// looks green.
+constexpr model::HsbRange human_skin = {8, 48, 0.06f, 0.6f, 0.15f, 1}, human_hair = {0, 42, 0, 0.8f, 0.06f, 0.9f};
 
 bool is_human_skin(const std::array<float, 3> &rgb);
 bool is_human_hair(const std::array<float, 3> &rgb);

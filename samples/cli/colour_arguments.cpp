@@ -5,13 +5,23 @@
 namespace cli
 {
 
+CLI::Option *add_colours_option(CLI::App &command, std::string &file, bool &wild, const std::string &about)
+{
+    const auto take = [&file, &wild](const std::string &value) {
+        wild = value == "wild";
+        file = wild ? "" : value;
+    };
+    return command
+        .add_option_function<std::string>(
+            "--colours", take, about + "; wild: characters from files wear most hues, not colours near their files'")
+        ->type_name("FILE|wild");
+}
+
 void add_colour_options(CLI::App &command, ColourArguments &arguments)
 {
-    CLI::Option *file =
-        command
-            .add_option("--colours", arguments.file,
-                        "Colours of people by class and zone (TOML, see `claque colours`) instead of the scene's own")
-            ->type_name("FILE");
+    CLI::Option *file = add_colours_option(
+        command, arguments.file, arguments.wild,
+        "Colours of people by class and zone (TOML, see `claque colours`) instead of the scene's own");
     command
         .add_flag("--reload", arguments.reload,
                   "Check the file of colours before every frame and apply it when it has changed; a broken file "
@@ -22,6 +32,8 @@ void add_colour_options(CLI::App &command, ColourArguments &arguments)
 SceneColours::SceneColours(scenes::Library &library, const ColourArguments &arguments, uint64_t seed)
     : reload_(arguments.reload), seed_(seed)
 {
+    if (arguments.wild && reload_)
+        throw scenes::Failure("--reload needs a file of colours, which may change: --colours wild names none");
     if (!arguments.file.empty()) file_.emplace(library, arguments.file);
 }
 

@@ -12,10 +12,14 @@ namespace cli
 {
 
 struct ColourArguments {
-    std::string file;  // empty: the scene's own colours
+    std::string file;   // empty: the scene's own colours
+    bool wild = false;  // of characters from files
     bool reload = false;
 };
 
+// A FILE of colours, or "wild" (docs/characters.md), for --colours.
+CLI::Option *add_colours_option(CLI::App &command, std::string &file, bool &wild, const std::string &about);
+// The same and --reload.
 void add_colour_options(CLI::App &command, ColourArguments &arguments);
 
 // The colours of the people in a scene.

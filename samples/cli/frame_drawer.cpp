@@ -14,6 +14,7 @@ namespace cli
 FrameDrawer::FrameDrawer(const RenderArguments &a, int threads, processes::Ranks *ranks)
     : arguments_(a), library_(threads), options_(scene_options(a.setup, loaded_))
 {
+    if (a.colours.wild) library_.wear_wild_colours();
     if (ranks) library_.share_templates(ranks->rank() == 0, [ranks](std::string &bytes) { ranks->broadcast(bytes); });
 }
 

@@ -15,6 +15,7 @@ namespace
 struct PrepareArguments {
     std::string file, out;
     uint32_t texture_px = 0;
+    std::string colours;  // wild, or empty
     FileArguments of_file;
     ClipArguments clips;
     ZoneArguments zones;
@@ -24,6 +25,7 @@ void prepare(const PrepareArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(core_count());
+    if (!a.colours.empty()) library.wear_wild_colours();
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
     give_zones(library, asset.get(), a.zones);
@@ -50,6 +52,8 @@ void add_prepare(CLI::App &app, Work &chosen)
     add_file_options(*c, a->of_file);
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
+    c->add_option("--colours", a->colours, "wild: individuals wear most hues, not colours near the file's")
+        ->check(CLI::IsMember({"wild"}));
     c->add_option(
          "--texture-size", a->texture_px,
          "Largest width and height of an image in texels; larger images are reduced without mixing zones (0: 1024)")

@@ -37,7 +37,7 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options, const 
     report["camera"] = camera_of(a, options);
     if (!a.setup.path.empty()) report["path"] = a.setup.path;
     if (!a.setup.scenario.empty()) report["scenario"] = a.setup.scenario;
-    if (!a.colours.file.empty()) report["colours"] = a.colours.file;
+    if (!a.colours.file.empty() || a.colours.wild) report["colours"] = a.colours.wild ? "wild" : a.colours.file;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
     report["threads"] = threads_each(a.setup, a.processes, ranks);

@@ -70,6 +70,7 @@ void draw_sheet(const SheetArguments &a)
     if (!a.json.empty()) expect_writable(a.json);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
+    if (a.colours.wild) library.wear_wild_colours();
     const LoadedCharacter none;
     const scenes::SceneOptions options = scene_options(a.setup, none);
     const std::vector<scenes::PathSection> &sections = options.path->sections();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/letters.h"
@@ -22,6 +23,7 @@ constexpr int person_gap_px = 2;
 
 struct VarietyArguments {
     std::string file, out, colours, colour_class;
+    bool wild = false;
     FileArguments of_file;
     uint32_t count = 12, texture = 0, set = 0;
     uint64_t seed = 1;
@@ -157,6 +159,8 @@ struct Worn {
 Worn worn_by(scenes::Library &library, const clq_template *tmpl, const VarietyArguments &a)
 {
     Worn worn;
+    if (a.wild && !a.colour_class.empty())
+        throw scenes::Failure("--class " + a.colour_class + " needs a map of colours: --colours wild has no classes");
     if (a.colours.empty()) return worn;
     worn.map = scenes::read_colours(library, text_of(a.colours), a.colours);
     const std::string name = info_of(tmpl).name;
@@ -189,6 +193,7 @@ void draw_variety(const VarietyArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(core_count());
+    if (a.wild) library.wear_wild_colours();
     const LoadedCharacter loaded = load_character(library, a.file, a.of_file);
     const clq_template *tmpl = loaded.tmpl.get();
     const Worn worn = worn_by(library, tmpl, a);
@@ -232,8 +237,7 @@ void add_variety(CLI::App &app, Work &chosen)
     c->add_option("--seed", a->seed, "Seed of the random colours")->capture_default_str();
     add_size_option(*c, a->width, a->height);
     CLI::Option *colours =
-        c->add_option("--colours", a->colours, "Map of colours (TOML) instead of the template's own");
-    colours->type_name("FILE");
+        add_colours_option(*c, a->colours, a->wild, "Map of colours (TOML) instead of the template's own");
     c->add_option("--class", a->colour_class, "Colour class of the map (default: the one for this template)")
         ->needs(colours);
     c->add_option("--texture", a->texture, "Index of the texture to show")->capture_default_str();

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iostream>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/progress.h"
@@ -127,8 +128,8 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--rates", a->rates, "What the frames of a measured script cost, as JSON")
         ->type_name("FILE")
         ->needs("--script");
-    c.add_option("--colours", a->what.colours, "Colour map to wear and to design (TOML, docs/colours.md)")
-        ->type_name("FILE");
+    add_colours_option(c, a->what.colours, a->what.wild_colours,
+                       "Colour map to wear and to design (TOML, docs/colours.md)");
     c.add_option("--shots", a->folder,
                  "Folder of saved pictures, films, camera paths and colour maps (default: the current one)")
         ->type_name("DIR");

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -41,6 +42,8 @@ TEST_F(ColoursUsage, WhatCannotBeDoneIsOneSentence)
         {{"colours", "save", "--out", "-"}, 2, "--scenario"},
         {{"colours", "classes", "--colours", path("bare.toml"), "--out", path("a.png")}, 1, "names no template"},
         {{"render", "citizen", "--colours", path("broken.toml"), "--out", path("a.png")}, 1, "line 3, column 22"},
+        {{"variety", "citizen", "--colours", "wild", "--class", "b", "--out", path("a.png")}, 1, "needs a map"},
+        {{"render", "citizen", "--colours", "wild", "--reload", "--out", path("a.png")}, 1, "names none"},
         {{"render", "citizen", "--reload", "--out", path("a.png")}, 2, "--colours"},
         {{"variety", "citizen", "--colours", path("bare.toml"), "--out", path("a.png")},
          1,
@@ -87,6 +90,23 @@ TEST_F(Colours, ActorsOfATemplateGetTheClassThatIsMadeForIt)
     const std::string red = draw({"--colours", path("red.toml")});
     EXPECT_FALSE(red == own);
     EXPECT_TRUE(draw({"--colours", path("red.toml"), "--class", "reds"}) == red);
+}
+
+TEST_F(Colours, OfCharactersFromFilesAreWildWhereThatIsAsked)
+{
+    const std::string person = written::folder() + "WrittenPerson.glb";
+    ASSERT_FALSE(written::people().empty());  // writes it
+    const std::vector<std::string> render = {"render", person, "--count", "9", "--size", "160x120", "--out", "-"},
+                                   variety = {"variety", person, "--count", "4", "--size", "300x160", "--out", "-"},
+                                   prepare = {"prepare", person, "--out", "-"};
+    for (std::vector<std::string> words : {render, variety, prepare}) {
+        const Outcome own = claque(words);
+        words.insert(words.end(), {"--colours", "wild"});
+        const Outcome wild = claque(words);
+        EXPECT_EQ(own.code, 0) << own.err;
+        EXPECT_EQ(wild.code, 0) << wild.err;
+        EXPECT_FALSE(own.out == wild.out) << words[0];
+    }
 }
 
 TEST_F(Colours, ClassesAndTheComparisonArePictures)

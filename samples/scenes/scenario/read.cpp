@@ -47,7 +47,8 @@ Scenario read_scenario(const std::string &text, const std::string &where, const 
     scenario.name = all.text("name");
     if (scenario.name.empty()) all.refuse("has the name \"\"", "name");
     if (all.has("colours")) {
-        scenario.colours = file_of(all, "colours", files);
+        scenario.wild_colours = all.text("colours") == "wild";
+        if (!scenario.wild_colours) scenario.colours = file_of(all, "colours", files);
         scenario.colours_at = all.place("colours");
     }
     for (const ScenarioSection &section : scenario_sections())

@@ -127,7 +127,7 @@ void take_template(Library &library, Member &member, Lod lod, Heads heads)
 
 Own<clq_template> template_of_file(Library &library, const SocialClass &one)
 {
-    clq_asset_options options = clq_asset_options_init();
+    clq_asset_options options = library.asset_options();
     one.placement.give(options);
     clq_asset *asset = nullptr;
     check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));

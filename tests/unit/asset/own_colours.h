@@ -51,7 +51,7 @@ inline bool is_hair_of_people(const Drawn &rgb)
 {
     double hsb[3];
     math::rgb_to_hsb(rgb.data(), hsb);
-    return hsb[1] < 0.2 || hsb[0] <= 50.5;
+    return hsb[1] < 0.2 || hsb[0] <= 42.5;
 }
 
 }  // namespace claque::testing
