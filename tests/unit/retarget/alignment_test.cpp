@@ -1,6 +1,7 @@
 // Skeletons that lie along other axes are turned back, whichever of the 24 orientations their file has.
 #include "lib/retarget/alignment.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -39,10 +40,14 @@ TEST(Alignment, TurnsASkeletonOfEachOrientationBack)
         matches[i].source = matches[i].target = i;
         matches[i].above = i == 0 ? model::none : i - 1;
     }
-    for (const glm::dmat3 &turned : all) {
+    for (size_t i = 0; i < 72; ++i) {
+        const glm::dmat3 &turned = all[i % 24];
+        const double size = i < 24 ? 1 : i < 48 ? 0.01 : 300;
         retarget::GlobalPose source, target;
-        source.positions = places;
-        for (const glm::dvec3 &place : places) target.positions.push_back(turned * place + glm::dvec3(3, -2, 5));
+        for (const glm::dvec3 &place : places) {
+            source.positions.push_back(size * place);
+            target.positions.push_back(turned * (size * place) + glm::dvec3(3, -2, 5));
+        }
         const retarget::SkeletonAlignment found =
             retarget::align_skeletons(matches, target, source, retarget::common_axes(matches, target, source));
         EXPECT_NEAR(found.scale, 1, 1e-12);
@@ -51,6 +56,31 @@ TEST(Alignment, TurnsASkeletonOfEachOrientationBack)
             axis[k] = 1;
             EXPECT_LT(glm::length(found.axes * axis - turned[k]), 1e-12) << "axis " << k;
         }
+    }
+}
+
+// Also between opposite directions, whatever the lengths, which count for nothing.
+TEST(Alignment, TurnsOneDirectionIntoAnotherByTheShortestTurn)
+{
+    std::vector<glm::dvec3> directions;
+    for (int x = -1; x <= 1; ++x)
+        for (int y = -1; y <= 1; ++y)
+            for (int z = -1; z <= 1; ++z)
+                if (x || y || z) directions.push_back(glm::normalize(glm::dvec3(x + 0.01 * y, y, z - 0.02 * x)));
+    for (const double longer : {1e-7, 1.0, 1e7})
+        for (const glm::dvec3 &from : directions)
+            for (const glm::dvec3 &to : directions)
+                for (const double sign : {1.0, -1.0}) {
+                    const glm::dvec3 wanted = &from == &to ? sign * from : to;
+                    const glm::dquat turn = retarget::rotation_between(longer * from, 3 * longer * wanted);
+                    EXPECT_NEAR(glm::length(turn), 1, 1e-12);
+                    EXPECT_LT(glm::length(turn * from - wanted), 1e-6);
+                    const double angle = std::acos(std::clamp(glm::dot(from, wanted), -1.0, 1.0));
+                    EXPECT_NEAR(2 * std::acos(std::min(1.0, std::fabs(turn.w))), angle, 1e-6);
+                }
+    for (const glm::dvec3 &other : {glm::dvec3(0), glm::dvec3(1, 2, 3)}) {
+        EXPECT_EQ(retarget::rotation_between(glm::dvec3(0), other), glm::dquat(1, 0, 0, 0));
+        EXPECT_EQ(retarget::rotation_between(other, glm::dvec3(0)), glm::dquat(1, 0, 0, 0));
     }
 }
 
