@@ -67,7 +67,7 @@ typedef struct clq_level_report {
     uint32_t struct_bytes; /* set by clq_level_report_init */
     float lod_min_m;       /* the effective distance from which the level is used */
     uint32_t triangle_count, vertex_count;
-    float error_m;                  /* the error that selected the distance: root mean square in motion */
+    float error_m; /* selected the distance: twice the root mean square in motion, enlarged by the texture's error */
     float rest_max_m, rest_rms_m;   /* distances at rest */
     float posed_max_m, posed_rms_m; /* distances in eight poses of each of the first 32 clips */
     float wrong_zone;               /* [0, 1] share of the finest level's area that shows another zone */

@@ -34,6 +34,15 @@ std::vector<Candidate> prune(std::vector<Candidate> all)
     return kept;
 }
 
+void raise_distances(std::vector<Candidate> &all, double tolerance_px)
+{
+    for (size_t k = 1; k < all.size(); ++k) {
+        LevelReport &level = all[k].level;
+        level.error_m = level.deviation.look.hidden_by(level.error_m);
+        level.distance_m = switch_distance(level.error_m, tolerance_px);
+    }
+}
+
 void prefer_near(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets)
 {
     const auto alike = [](size_t a, size_t b) { return std::max(a, b) * 20 <= std::min(a, b) * 21; };

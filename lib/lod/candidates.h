@@ -28,6 +28,10 @@ size_t triangle_count_of(const Candidate &made);
 // and levels below 20 triangles whose zones have other area fractions, are lost, or look wrong in single views.
 std::vector<Candidate> prune(std::vector<Candidate> all);
 
+// Moves levels to where their textures look as the finest one's, if that is farther. Decimated levels and proxies are
+// chosen by their shapes, so this comes after the choice.
+void raise_distances(std::vector<Candidate> &all, double tolerance_px);
+
 // Of a decimated level and a proxy with similar triangle counts, keeps the one with the smaller error. `made` keeps the
 // decimated levels of these pairs; `proxy_targets` keeps the targets that become proxies.
 void prefer_near(std::vector<Candidate> &made, std::vector<size_t> &proxy_targets);

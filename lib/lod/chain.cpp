@@ -35,6 +35,8 @@ struct Source {
     bool articulated = false;                        // skinned, or on several nodes
     std::vector<double> visibility, area_fractions;  // see visibility.h and area_fractions.h
     double shown_m2 = 0;                             // of the surface, the mean of all directions
+    TextureLooks looks;
+    bool has_zone_keys = false;  // in any image
 };
 
 // Levels keep all candidates at once and search them in many poses. That takes so many bytes, measured with meshes of
@@ -68,6 +70,9 @@ Source source_of(const model::Model &model, double metres_per_unit, const base::
     if (source.parts.empty())
         base::fail(CLQ_ARGUMENT, "'%s' has no visible part to make levels from", model.name.c_str());
     check_size(model, source);
+    source.looks.add(model);
+    for (const model::Image &image : model.images)
+        source.has_zone_keys = source.has_zone_keys || image.alpha == model::AlphaMeaning::zone_keys;
     const PosedParts rest = posed_at_rest(model.rig, source.parts);
     source.visibility = visibility_of(model, rest, jobs);
     source.area_fractions = zone_area_fractions(model, rest, source.visibility);
@@ -136,7 +141,7 @@ void measure(const model::Model &model, const Source &source, const ChainOptions
     for (size_t k = 1; k < made.size(); ++k)
         if (!made[k].is_measured) fresh.push_back(k), levels.push_back(&made[k].parts);
     const std::vector<Deviation> found = deviations(model, source.parts, source.visibility, levels, options.sampling,
-                                                    options.metres_per_unit, options.jobs);
+                                                    options.metres_per_unit, options.jobs, &source.looks);
     for (size_t i = 0; i < fresh.size(); ++i) {
         const size_t k = fresh[i];
         LevelReport &level = made[k].level;
@@ -183,7 +188,7 @@ double zone_tolerance_of(const Source &source, const Candidate &made)
 }
 
 // Gives the proxies of `made` their images. `model` gets these, and zone keys that are all different.
-void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std::vector<Candidate> &made)
+void bake(model::Model &model, Source &source, const ChainOptions &options, std::vector<Candidate> &made)
 {
     std::vector<Candidate *> proxies;
     std::vector<model::Part> meshes;
@@ -194,14 +199,18 @@ void bake(model::Model &model, const Source &source, const base::Jobs &jobs, std
         tolerances.push_back(one.zone_tolerance = zone_tolerance_of(source, one));
     }
     if (proxies.empty()) return;
-    const ProxySource from(model, posed_at_rest(model.rig, source.parts), source.visibility, jobs);
-    ProxyLevels baked = bake_proxies(from, std::move(meshes), tolerances, jobs);
+    const ProxySource from(model, posed_at_rest(model.rig, source.parts), source.visibility, options.jobs);
+    ProxyLevels baked = bake_proxies(from, std::move(meshes), tolerances, options.jobs);
     for (size_t i = 0; i < proxies.size(); ++i) proxies[i]->parts[0] = std::move(baked.parts[i]);
     add_to_model(baked, model);
-    jobs.try_each(static_cast<uint32_t>(proxies.size()), [&](uint32_t i) {
+    source.looks.add(model);
+    options.jobs.try_each(static_cast<uint32_t>(proxies.size()), [&](uint32_t i) {
         LevelReport &level = proxies[i]->level;
         level.vertices = proxies[i]->parts[0].positions.size();
-        level.deviation.wrong_zone = wrong_zone(model, from.fine, source.visibility, proxies[i]->parts);
+        const bool by_zones = level.triangles <= max_clean_triangles && source.has_zone_keys;
+        const TextureLooks *looks = by_zones ? nullptr : &source.looks;
+        compare_textures(model, from.fine, source.visibility, proxies[i]->parts, looks, options.metres_per_unit,
+                         level.deviation);
         const std::vector<double> fractions = zone_area_fractions(model, pointers(proxies[i]->parts));
         level.zone_area_error = zone_area_error(source.area_fractions, fractions);
         if (level.triangles <= max_clean_triangles) level.zone_view_error = from.views.error(proxies[i]->parts[0]);
@@ -241,7 +250,7 @@ double switch_distance(double error_m, double pixels) { return error_m / (pixels
 
 std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &options)
 {
-    const Source source = source_of(model, options.metres_per_unit, options.jobs);
+    Source source = source_of(model, options.metres_per_unit, options.jobs);
     if (!(options.tolerance_px > 0))
         base::fail(CLQ_ARGUMENT, "the tolerance of levels is %g pixels: it must be above 0", options.tolerance_px);
     const bool has_proxies = source.articulated && options.proxy_max_triangles > 0 && !options.quadric_only;
@@ -278,8 +287,8 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
     while (!missed.empty() && missed.back() <= options.proxy_max_triangles) missed.pop_back();
     proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
     choose(next, source, options, proxy_targets, proxies, made);
-    bake(next, source, options.jobs, made);
-    if (!options.quadric_only) made = prune(std::move(made));
+    bake(next, source, options, made);
+    if (!options.quadric_only) raise_distances(made, options.tolerance_px), made = prune(std::move(made));
     std::vector<LevelReport> report;
     for (const Candidate &one : made) report.push_back(one.level);
     model.parts = assemble(model, source.part_indices, std::move(made));

@@ -32,7 +32,7 @@ struct ChainOptions {
 
 struct LevelReport {
     size_t triangles = 0, vertices = 0;
-    double error_m = 0;          // the error that selects its distance: twice the RMS error in motion
+    double error_m = 0;          // that selects its distance: twice the RMS error in motion, enlarged by the texture's
     double distance_m = 0;       // the level is shown from this distance on
     Deviation deviation;         // all 0 for the finest level
     size_t flipped = 0;          // triangles that are flipped in texture space

@@ -140,14 +140,17 @@ struct LevelComparison {
     Links out, back;  // from the source to the level, and back
     Sum rest, posed;
     double wrong_zone = 0;
+    LookDifference look;
     size_t open_edges = 0;
 
     explicit LevelComparison(const std::vector<model::Part> &level) : coarse(pointers(level)) {}
-    void match_out(const model::Model &model, const PosedParts &fine, const std::vector<double> &areas)
+    void match_out(const model::Model &model, const PosedParts &fine, const std::vector<double> &areas,
+                   const TextureLooks *looks, double metres_per_unit)
     {
         const std::vector<PointPair> pairs = nearest_pairs(fine, coarse);
         out = links_of(fine, coarse, pairs, [&](const PointPair &pair) { return areas[pair.here.triangle]; });
         wrong_zone = wrong_zones(model, fine, coarse, pairs, areas);
+        if (looks) look = looks->difference(fine, coarse, pairs, areas, metres_per_unit);
     }
     // A point of the level counts as visible as the nearest point of the source.
     void match_back(const PosedParts &fine, const PartTrees &trees, const std::vector<double> &visibility)
@@ -183,7 +186,8 @@ using LevelList = base::Span<const std::vector<model::Part> *const>;
 // Levels whose pairs are held at one time.
 std::vector<Deviation> deviations_at_once(const model::Model &model, const std::vector<const model::Part *> &source,
                                           const std::vector<double> &visibility, LevelList levels,
-                                          const Sampling &sampling, double metres_per_unit, const base::Jobs &jobs)
+                                          const Sampling &sampling, double metres_per_unit, const base::Jobs &jobs,
+                                          const TextureLooks *looks)
 {
     PosedParts fine(source);
     std::vector<LevelComparison> all;
@@ -208,7 +212,7 @@ std::vector<Deviation> deviations_at_once(const model::Model &model, const std::
     const PartTrees trees(fine);
     jobs.try_each(count, [&](uint32_t k) { rest.pose(model.rig, all[k].coarse); });
     jobs.try_each(2 * count, [&](uint32_t k) {
-        if (k % 2 == 0) all[k / 2].match_out(model, fine, areas);
+        if (k % 2 == 0) all[k / 2].match_out(model, fine, areas, looks, metres_per_unit);
         else all[k / 2].match_back(fine, trees, visibility);
     });
     jobs.try_each(count, [&](uint32_t k) { go(all[k], rest, all[k].rest); });
@@ -229,7 +233,7 @@ std::vector<Deviation> deviations_at_once(const model::Model &model, const std::
         const Sum &at_rest = all[k].rest, &moving = clips == 0 || sampling.poses_per_clip == 0 ? at_rest : all[k].posed;
         found[k].rest_max_m = at_rest.max() * metres_per_unit, found[k].rest_rms_m = at_rest.rms() * metres_per_unit;
         found[k].posed_max_m = moving.max() * metres_per_unit, found[k].posed_rms_m = moving.rms() * metres_per_unit;
-        found[k].wrong_zone = all[k].wrong_zone;
+        found[k].wrong_zone = all[k].wrong_zone, found[k].look = all[k].look;
         found[k].open_edges = all[k].open_edges > open_before ? all[k].open_edges - open_before : 0;
     }
     return found;
@@ -247,7 +251,7 @@ size_t triangles_of(const std::vector<const model::Part *> &parts)
 std::vector<Deviation> deviations(const model::Model &model, const std::vector<const model::Part *> &source,
                                   const std::vector<double> &visibility,
                                   const std::vector<const std::vector<model::Part> *> &levels, const Sampling &sampling,
-                                  double metres_per_unit, const base::Jobs &jobs)
+                                  double metres_per_unit, const base::Jobs &jobs, const TextureLooks *looks)
 {
     // All levels together, where their pairs take a quarter of what levels may take at most (docs/levels.md); else as
     // many as do, at least one.
@@ -262,19 +266,22 @@ std::vector<Deviation> deviations(const model::Model &model, const std::vector<c
         }
         const LevelList some(levels.data() + first, static_cast<uint32_t>(last - first));
         for (const Deviation &one :
-             deviations_at_once(model, source, visibility, some, sampling, metres_per_unit, jobs))
+             deviations_at_once(model, source, visibility, some, sampling, metres_per_unit, jobs, looks))
             found.push_back(one);
     }
     return found;
 }
 
-double wrong_zone(const model::Model &model, const PosedParts &source, const std::vector<double> &visibility,
-                  const std::vector<model::Part> &level)
+void compare_textures(const model::Model &model, const PosedParts &source, const std::vector<double> &visibility,
+                      const std::vector<model::Part> &level, const TextureLooks *looks, double metres_per_unit,
+                      Deviation &deviation)
 {
     const PosedParts coarse = posed_at_rest(model.rig, pointers(level));
     std::vector<double> areas = areas_of(source);
     for (size_t t = 0; t < areas.size(); ++t) areas[t] *= visibility[t];
-    return wrong_zones(model, source, coarse, nearest_pairs(source, coarse), areas);
+    const std::vector<PointPair> pairs = nearest_pairs(source, coarse);
+    deviation.wrong_zone = wrong_zones(model, source, coarse, pairs, areas);
+    if (looks) deviation.look = looks->difference(source, coarse, pairs, areas, metres_per_unit);
 }
 
 Deviation deviation(const model::Model &model, const std::vector<const model::Part *> &source,

@@ -69,10 +69,7 @@ glm::dvec3 position_of(const PosedParts &parts, const SurfacePoint &point)
            point.weights.z * parts.corner(t, 2);
 }
 
-namespace
-{
-
-uint32_t texel(double at, uint32_t size, model::Wrap wrap)
+uint32_t texel_index(double at, uint32_t size, model::Wrap wrap)
 {
     const double n = double(size);
     double x = std::floor(at * n);
@@ -83,6 +80,19 @@ uint32_t texel(double at, uint32_t size, model::Wrap wrap)
     }
     return static_cast<uint32_t>(std::fmin(std::fmax(x, 0), n - 1));
 }
+
+glm::dvec2 uv_at(const PosedParts &parts, const SurfacePoint &point)
+{
+    const PosedParts::Triangle &t = parts.triangles()[point.triangle];
+    const model::Part &part = parts.part(t.part);
+    glm::dvec2 uv(0);
+    for (size_t k = 0; k < 3 && !part.uvs.empty(); ++k)
+        uv += point.weights[static_cast<int>(k)] * glm::dvec2(part.uvs[t.vertices[k]]);
+    return uv;
+}
+
+namespace
+{
 
 // Returns model::none if the material has no image.
 uint32_t image_of(const model::Model &model, uint32_t material, const model::TextureSet *set)
@@ -98,18 +108,9 @@ const uint8_t *texel_of(const model::Model &model, const model::Part &part, glm:
     const uint32_t shown = image_of(model, part.material, set);
     if (shown == model::none) return nullptr;
     const model::Image &image = model.images[shown];
-    const size_t x = texel(uv.x, image.width, material.wrap_s), y = texel(uv.y, image.height, material.wrap_t);
+    const size_t x = texel_index(uv.x, image.width, material.wrap_s),
+                 y = texel_index(uv.y, image.height, material.wrap_t);
     return image.rgba.data() + 4 * (y * image.width + x);
-}
-
-glm::dvec2 uv_at(const PosedParts &parts, const SurfacePoint &point)
-{
-    const PosedParts::Triangle &t = parts.triangles()[point.triangle];
-    const model::Part &part = parts.part(t.part);
-    glm::dvec2 uv(0);
-    for (size_t k = 0; k < 3 && !part.uvs.empty(); ++k)
-        uv += point.weights[static_cast<int>(k)] * glm::dvec2(part.uvs[t.vertices[k]]);
-    return uv;
 }
 
 uint32_t zone_of_texel(const model::Model &model, const model::Part &part, const uint8_t *found,

@@ -67,6 +67,10 @@ struct SurfacePoint {
 
 glm::dvec3 position_of(const PosedParts &parts, const SurfacePoint &point);
 
+// The column or row of texels that a texture coordinate is in.
+uint32_t texel_index(double at, uint32_t size, model::Wrap wrap);
+glm::dvec2 uv_at(const PosedParts &parts, const SurfacePoint &point);  // 0 without texture coordinates
+
 // Returns the zone that a point shows: its material's, or that of the texel's zone key; model::none if there is none.
 // `set`: one of the model's further texture sets; null: the first.
 uint32_t zone_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
