@@ -178,22 +178,18 @@ private:
     void fill_levels(std::vector<Mesh> &meshes)
     {
         const ZoneImages zone_images(out_.textures);
-        const ZoneLimits limits = {allowance_.bytes() / 2 / meshes.size(), allowance_.texels()};
-        std::vector<uint64_t> taken(meshes.size());
-        options_.jobs.try_each(static_cast<uint32_t>(meshes.size()),
-                               [&](uint32_t k) { taken[k] = fill(meshes[k], zone_images, limits, out_.levels[k]); });
-        for (const uint64_t bytes : taken) allowance_.take(bytes, "zones of triangles");
+        const ZoneLimits limits = {allowance_.bytes() / 2, allowance_.texels()};
+        const uint32_t count = static_cast<uint32_t>(meshes.size());
+        std::vector<TriangleZones> zones(count);
+        options_.jobs.try_each(count, [&](uint32_t k) {
+            for (MeshSurface &surface : meshes[k].surfaces) surface.texture = texture_of_[surface.texture];
+            zones[k] = zones_of_triangles(meshes[k], zone_images, limits);
+        });
+        // All levels share the limit: the finest has most of the triangles.
+        allowance_.take(stream_bytes(zones, limits), "zones of triangles");
+        options_.jobs.try_each(count, [&](uint32_t k) { build_level(meshes[k], zones[k], out_.rig, out_.levels[k]); });
+        report(meshes[0], zones[0], out_);
         for (const Mesh &mesh : meshes) out_.report.parts = std::max(out_.report.parts, mesh.parts);
-    }
-
-    // Returns what several zones of triangles took.
-    uint64_t fill(Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits, model::Level &level)
-    {
-        for (MeshSurface &surface : mesh.surfaces) surface.texture = texture_of_[surface.texture];
-        const TriangleZones zones = zones_of_triangles(mesh, zone_images, limits);
-        build_level(mesh, zones, out_.rig, level);
-        if (&level == &out_.levels[0]) report(mesh, zones, out_);
-        return zones.stream_bytes();
     }
 
     const model::Model &model_;

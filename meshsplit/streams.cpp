@@ -207,6 +207,14 @@ private:
     std::unordered_map<uint64_t, uint32_t> copies_;
 };
 
+[[noreturn]] void refuse(size_t triangles, const char *where, size_t more, uint64_t maximum)
+{
+    base::fail(CLQ_LIMIT,
+               "%zu triangles%s show %zu zones besides their first, and %llu are the most for the bytes read: a zone "
+               "map with fewer zones, or with fewer specks of them, shows fewer",
+               triangles, where, more, base::big(maximum));
+}
+
 }  // namespace
 
 ZoneImages::ZoneImages(const model::Array<model::Texture> &textures)
@@ -235,16 +243,22 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images
         collectors[texture].append(uv, out.zones);
         out.first.push_back(static_cast<uint32_t>(out.zones.size()));
         if (collectors[texture].texels() > limits.texels)
-            base::fail(CLQ_LIMIT, "%zu of %zu triangles cover more than the %llu texels that the bytes read allow",
-                       out.first.size() - 1, mesh.triangles.size(), base::big(limits.texels));
-        const size_t more = out.zones.size() - (out.first.size() - 1);
-        if (more > maximum)
             base::fail(CLQ_LIMIT,
-                       "%zu of %zu triangles show %zu zones besides their first: %llu are the most for the "
-                       "bytes read",
-                       out.first.size() - 1, mesh.triangles.size(), more, base::big(maximum));
+                       "%zu of %zu triangles cover more than the %llu texels that the bytes read allow: "
+                       "a smaller max_texture_px makes them fewer",
+                       out.triangles(), mesh.triangles.size(), base::big(limits.texels));
+        if (out.besides_first() > maximum) refuse(out.triangles(), "", out.besides_first(), maximum);
     }
     return out;
+}
+
+uint64_t stream_bytes(const std::vector<TriangleZones> &levels, const ZoneLimits &limits)
+{
+    size_t triangles = 0, more = 0;
+    for (const TriangleZones &level : levels) triangles += level.triangles(), more += level.besides_first();
+    const uint64_t maximum = limits.bytes / TriangleZones::bytes_per_zone;
+    if (more > maximum) refuse(triangles, " in all levels of detail", more, maximum);
+    return TriangleZones::bytes_per_zone * more;
 }
 
 void make_streams(const Mesh &mesh, const TriangleZones &zones, uint32_t part_count, model::Level &out)

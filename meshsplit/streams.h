@@ -16,8 +16,8 @@ struct TriangleZones {
 
     uint32_t count(size_t triangle) const { return first[triangle + 1] - first[triangle]; }
     const uint16_t *of(size_t triangle) const { return zones.data() + first[triangle]; }
-    // What the zones of triangles besides their first take in streams, at most.
-    uint64_t stream_bytes() const { return bytes_per_zone * (zones.size() - (first.size() - 1)); }
+    size_t triangles() const { return first.size() - 1; }
+    size_t besides_first() const { return zones.size() - triangles(); }
 
     // Three indices in two streams, three copies of vertices with what finds them, and places in lists, in arrays that
     // grow by doubling.
@@ -37,7 +37,8 @@ struct ZoneImages {
     std::vector<size_t> zone_counts;             // [textures]
 };
 
-// What several zones of a triangle may take in streams, and how many texels of one texture may be looked at.
+// What several zones of a triangle may take in the streams of all levels, and how many texels of one texture may be
+// looked at for one level.
 struct ZoneLimits {
     uint64_t bytes = ~0ull, texels = ~0ull;
 };
@@ -45,6 +46,10 @@ struct ZoneLimits {
 // A triangle that shows only holes counts as one of the lowest zone; holes never make a triangle dirty. Throws
 // base::Error (LIMIT).
 TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images, const ZoneLimits &limits = {});
+
+// Returns what the zones of triangles besides their first take in the streams of all levels, at most. Throws
+// base::Error (LIMIT).
+uint64_t stream_bytes(const std::vector<TriangleZones> &levels, const ZoneLimits &limits);
 
 // Fills vertex_count, copies, slots, indices and surfaces of a level whose source_count is set. Triangles of the mesh
 // are sorted by part, and the parts are numbered from 0.

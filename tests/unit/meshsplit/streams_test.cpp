@@ -1,10 +1,12 @@
 // Clean bins, dirty ranges and the fused stream of one template, as laws (S1 3).
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <set>
 
 #include <gtest/gtest.h>
 
+#include "lib/base/error.h"
 #include "models.h"
 
 namespace claque::test
@@ -123,6 +125,62 @@ TEST(Streams, TortureOf2To48ZonesKeepsEveryLawAndLosesNothing)
         expect_fewest_copies(tmpl->levels[0]);
         EXPECT_EQ(tmpl->levels[0].source_count, 25u);
         EXPECT_EQ(tmpl->levels[0].vertex_count, 25 * zones);
+    }
+}
+
+namespace
+{
+
+// A sheet of `side` squares each way, all of whose triangles show most of 20 zones, and 19 levels of two triangles.
+model::Model speckled(uint32_t side)
+{
+    model::Model m = torture(20, 10, 5);
+    m.source_bytes = 1;  // the allowance is what every model has
+    m.parts[0] = sheet_part(side, side);
+    for (uint32_t level = 0; level < 20; ++level) {
+        if (level > 0) m.parts.push_back(sheet_part(1, 1));
+        m.parts.back().lod_min_m = float(level);
+        m.parts.back().lod_max_m = level < 19 ? float(level + 1) : std::numeric_limits<float>::infinity();
+    }
+    return m;
+}
+
+}  // namespace
+
+// The finest level alone needs more than a twentieth of what there is for all.
+TEST(Streams, OfAllLevelsShareOneLimit)
+{
+    const auto tmpl = built(speckled(16));
+    EXPECT_EQ(tmpl->levels.size(), 20u);
+    EXPECT_EQ(tmpl->report.dirty, 512u);
+    expect_laws(*tmpl);
+    try {
+        built(speckled(64));
+        ADD_FAILURE() << "is not refused";
+    } catch (const base::Error &error) {
+        EXPECT_EQ(error.status(), CLQ_LIMIT);
+        EXPECT_NE(std::string(error.what()).find("a zone map with fewer zones, or with fewer specks"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+// What no level needs alone may still be more than there is for all of them together.
+TEST(Streams, OfAllLevelsTogetherAreLimited)
+{
+    model::Model m = speckled(16);
+    for (model::Part &part : m.parts) {
+        const float first = part.lod_min_m, last = part.lod_max_m;
+        part = sheet_part(12, 12);
+        part.lod_min_m = first, part.lod_max_m = last;
+    }
+    try {
+        built(m);
+        ADD_FAILURE() << "is not refused";
+    } catch (const base::Error &error) {
+        EXPECT_EQ(error.status(), CLQ_LIMIT);
+        EXPECT_NE(std::string(error.what()).find("5760 triangles in all levels of detail show"), std::string::npos)
+            << error.what();
     }
 }
 
