@@ -1,6 +1,6 @@
 // The cost of a template before the first frame (goal: 0.5 s for about 1040 triangles, eight levels of detail, split,
 // spheres of all clips): the steps of a first start on one thread and on two, and a second start, from a prepared file
-// in memory.
+// in memory. Then levels of characters that are larger.
 #include <claque/claque.h>
 #include <claque/levels.h>
 
@@ -12,6 +12,8 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
+
+#include "tests/support/written_armour.h"
 
 namespace
 {
@@ -55,9 +57,16 @@ clq_context *context(Threads threads = Threads::one)
     return threads == Threads::one ? one : two;
 }
 
+// A built-in character, or a written one of "PLATES plates, TRIANGLES triangles".
 clq_asset *figure(const std::string &name)
 {
     clq_asset *asset = nullptr;
+    unsigned plates = 0, triangles = 0;
+    if (std::sscanf(name.c_str(), "%u plates, %u triangles", &plates, &triangles) == 2) {
+        const std::vector<uint8_t> file = claque::testing::written_armour(plates, triangles);
+        check(clq_asset_load(context(), file.data(), file.size(), nullptr, &asset));
+        return asset;
+    }
     check(clq_asset_builtin(context(), name.c_str(), &asset));
     return asset;
 }
@@ -161,5 +170,10 @@ STARTUP(startup_first, patrician_in_13, "patrician", Levels::usual, Threads::one
 STARTUP(startup_first, plebeian_in_13, "plebeian", Levels::usual, Threads::one);
 STARTUP(startup_first, decurion_in_13, "decurion", Levels::usual, Threads::one);
 STARTUP(startup_prepared, citizen_in_13, "citizen", Levels::usual);
+// How the time of levels grows with triangles and materials (docs/levels.md).
+STARTUP(startup_levels, armour_1_plate_7000_triangles, "1 plates, 7000 triangles", Levels::usual, Threads::two);
+STARTUP(startup_levels, armour_60_plates_7000_triangles, "60 plates, 7000 triangles", Levels::usual, Threads::two);
+STARTUP(startup_levels, armour_1_plate_50000_triangles, "1 plates, 50000 triangles", Levels::usual, Threads::two);
+STARTUP(startup_levels, armour_60_plates_62000_triangles, "60 plates, 62000 triangles", Levels::usual, Threads::two);
 
 }  // namespace

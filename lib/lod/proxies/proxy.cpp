@@ -74,7 +74,12 @@ ProxySource::ProxySource(const model::Model &of, const std::vector<const model::
 }
 
 ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector<double> seen, const base::Jobs &jobs)
-    : model(of), fine(std::move(at_rest)), visibility(std::move(seen)), keys(keys_of(of)), views(of, parts_of(fine))
+    : model(of),
+      fine(std::move(at_rest)),
+      trees(fine, 1),
+      visibility(std::move(seen)),
+      keys(keys_of(of)),
+      views(of, parts_of(fine))
 {
     if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
     area_fractions.resize(set_count());

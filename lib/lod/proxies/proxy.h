@@ -46,6 +46,7 @@ struct ProxySource {
 
     const model::Model &model;
     PosedParts fine;                                  // at rest
+    PartTrees trees;                                  // of `fine`, for levels of one part
     std::vector<double> visibility;                   // [triangles of fine] visibility (visibility.h)
     std::vector<std::vector<double>> area_fractions;  // [sets] per zone (area_fractions.h)
     std::vector<uint8_t> keys;                        // [zones] all different

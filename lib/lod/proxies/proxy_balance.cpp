@@ -21,8 +21,9 @@ struct ZonePoints {
     std::unique_ptr<NearestPoint> nearest;
 };
 
-// A texel, and for each zone the nearest point that shows it.
+// A texel, and for each zone the nearest point that shows it, once it has been asked for.
 struct TexelDistances {
+    static constexpr double unknown = -1;
     size_t texel = 0;
     std::vector<uint32_t> point;
     std::vector<double> distance;
@@ -45,7 +46,7 @@ public:
     void run()
     {
         if (!is_unbalanced()) return;
-        find_distances();
+        find_points();
         while (is_unbalanced() && step()) {}
     }
 
@@ -63,8 +64,7 @@ private:
         return false;
     }
 
-    // Computes the distance of each texel from each zone.
-    void find_distances()
+    void find_points()
     {
         zones_.resize(source_fractions_.size());
         std::vector<std::vector<NearestPoint::Triangle>> points(source_fractions_.size());
@@ -80,14 +80,19 @@ private:
             if (!(texels_[i].area > 0)) continue;
             TexelDistances row;
             row.texel = i;
-            for (const ZonePoints &one : zones_) {
-                const NearestPoint::Found found = one.nearest ? one.nearest->to(texels_[i].at) : NearestPoint::Found();
-                row.point.push_back(found.triangle);
-                row.distance.push_back(one.nearest ? std::sqrt(found.distance_squared)
-                                                   : std::numeric_limits<double>::infinity());
-            }
+            row.point.assign(zones_.size(), 0), row.distance.assign(zones_.size(), TexelDistances::unknown);
             rows_.push_back(std::move(row));
         }
+    }
+
+    double distance(TexelDistances &row, size_t z) const
+    {
+        double &known = row.distance[z];
+        if (known != TexelDistances::unknown) return known;
+        if (!zones_[z].nearest) return known = std::numeric_limits<double>::infinity();
+        const NearestPoint::Found found = zones_[z].nearest->to(texels_[row.texel].at);
+        row.point[z] = found.triangle;
+        return known = std::sqrt(found.distance_squared);
     }
 
     // Makes the one change that moves a border least and brings the zone with the largest error closer to its fraction.
@@ -99,15 +104,17 @@ private:
         const bool gives = excess(worst) > 0;
         double least = std::numeric_limits<double>::infinity();
         const TexelDistances *best = nullptr;
+        // A zone that gives does so to any other; one that lacks texels takes them.
+        const size_t first = gives ? 0 : worst, last = gives ? source_fractions_.size() : worst + 1;
         size_t to = 0;
-        for (const TexelDistances &row : rows_) {
+        for (TexelDistances &row : rows_) {
             const size_t from = index(texels_[row.texel].zone);
             const double area = texels_[row.texel].area;
             if (gives != (from == worst)) continue;
             if (!gives && excess(from) - area < -tolerance) continue;
-            for (size_t z = 0; z < source_fractions_.size(); ++z) {
-                if (z == from || (!gives && z != worst) || excess(z) + area > tolerance) continue;
-                const double moved = row.distance[z] - row.distance[from];
+            for (size_t z = first; z < last; ++z) {
+                if (z == from || excess(z) + area > tolerance) continue;
+                const double moved = distance(row, z) - distance(row, from);
                 if (moved < least) least = moved, best = &row, to = z;
             }
         }

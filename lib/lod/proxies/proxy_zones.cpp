@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
-#include <glm/common.hpp>
-
-#include "lib/lod/surface/nearest.h"
+#include "lib/lod/proxies/zone_cost.h"
 #include "lib/lod/surface/visibility.h"
 
 namespace claque::lod
@@ -32,75 +29,25 @@ constexpr size_t max_rounds = 2000;
 constexpr size_t few = 64;            // levels of at most so many triangles get a longer search after it
 constexpr size_t very_few = 14;       // and of at most so many the longest
 constexpr size_t beam_width = 20000;  // partial assignments kept per step, times the number of triangles
-
-using ZoneValues = std::vector<double>;
-
-// The cost of each zone on each triangle, in fractions of the surface: the part of what the triangle represents that
-// shows another zone and, for zones that are absent there, their distance as a fraction of the character's size.
-class ZoneCost
-{
-public:
-    ZoneCost(const model::Model &model, const PosedParts &source, const PosedParts &level,
-             const std::vector<ZoneAreas> &zone_areas, const ZoneValues &areas, const std::vector<double> &weights)
-        : zones_(model.zones.size() + 1)
-    {
-        std::vector<std::vector<NearestPoint::Triangle>> centres(zones_);
-        glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
-        for (uint32_t t = 0; t < source.triangles().size(); ++t) {
-            const glm::dvec3 third(1.0 / 3);
-            const glm::dvec3 p = position_of(source, {t, third});
-            first = glm::min(first, p), last = glm::max(last, p);
-            centres[std::min<size_t>(zone_at(model, source, {t, third}), zones_ - 1)].push_back({p, p, p});
-        }
-        const double size = std::max({last.x - first.x, last.y - first.y, last.z - first.z, 1e-30});
-        std::vector<NearestPoint> nearest;
-        std::vector<uint32_t> known;
-        for (uint32_t zone = 0; zone < zones_; ++zone)
-            if (!centres[zone].empty()) known.push_back(zone), nearest.emplace_back(std::move(centres[zone]));
-        for (uint32_t t = 0; t < level.triangles().size(); ++t) {
-            ZoneValues row(zones_, 4);
-            double all = 0;
-            for (const auto &[zone, area] : zone_areas[t]) all += area;
-            const glm::dvec3 middle = position_of(level, {t, glm::dvec3(1.0 / 3)});
-            for (size_t i = 0; i < known.size(); ++i)
-                row[known[i]] = 1 + std::sqrt(nearest[i].to(middle).distance_squared) / size;
-            for (const auto &[zone, area] : zone_areas[t])
-                row[std::min<size_t>(zone, zones_ - 1)] = all > 0 ? 1 - area / all : 0;
-            for (double &one : row) one *= weights.empty() ? areas[t] : weights[t] * areas[t];
-            rows_.push_back(std::move(row));
-        }
-    }
-    double of(size_t triangle, size_t zone) const { return rows_[triangle][zone]; }
-    size_t zones() const { return zones_; }
-    // Of the zones that `fractions` has, if it has any.
-    size_t cheapest(size_t triangle, const ZoneValues &fractions) const
-    {
-        const ZoneValues &row = rows_[triangle];
-        const auto is_less = [&](size_t a, size_t b) {
-            return (fractions[a] > 0) != (fractions[b] > 0) ? fractions[a] > 0 : row[a] < row[b];
-        };
-        size_t best = 0;
-        for (size_t zone = 1; zone < zones_; ++zone)
-            if (is_less(zone, best)) best = zone;
-        return best;
-    }
-
-private:
-    size_t zones_;
-    std::vector<ZoneValues> rows_;
-};
+// Several changes at once are as many as a power of triangles times zones. After so many tries a search of two or three
+// takes only so many changes, those that gain most by themselves. Built-in people take 4.9 million at most.
+constexpr uint64_t max_tries = 6'000'000;
+constexpr size_t max_of_two = 128, max_of_three = 25;
 
 class ZoneAssignment
 {
 public:
-    ZoneAssignment(const PosedParts &level, const ZoneCost &zone_cost, const ZoneValues &areas, const ZoneGoals &goals)
+    // `tries`: of changes at once, of all assignments of the level.
+    ZoneAssignment(const PosedParts &level, const ZoneCost &zone_cost, const ZoneValues &areas, const ZoneGoals &goals,
+                   uint64_t &tries)
         : zone_cost_(zone_cost),
           view_cost_(goals.views, areas.size(), goals.area_fractions.size(), view_weight),
           areas_(areas),
           source_fractions_(goals.area_fractions),
           zone_tolerance_(kept_tolerance * goals.tolerance),
           neighbours_(neighbours_of(level)),
-          area_fractions_(source_fractions_.size(), 0)
+          area_fractions_(source_fractions_.size(), 0),
+          tries_(tries)
     {
         for (size_t t = 0; t < areas.size(); ++t) {
             zones_.push_back(zone_cost.cheapest(t, source_fractions_));
@@ -116,6 +63,7 @@ public:
         const size_t max_at_once = areas_.size() <= few ? 3 : 2;
         for (size_t round = 0, at_once = 1; round < max_rounds && at_once <= max_at_once; ++round) {
             best_.clear(), best_gain_ = 1e-12;
+            choose_candidates(at_once);
             search(at_once, 0);
             for (const Change &change : best_) set(change);
             at_once = best_.empty() ? at_once + 1 : 1;
@@ -142,28 +90,35 @@ public:
         std::vector<size_t> order(areas_.size());
         std::iota(order.begin(), order.end(), size_t(0));
         std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) { return areas_[a] > areas_[b]; });
-        std::vector<PartialAssignment> partials(1), next;
+        std::vector<PartialAssignment> partials(1), kept;
+        std::vector<Extension> next;
+        std::vector<double> seen;  // by views, of each zone
         partials[0].zones.assign(areas_.size(), source_fractions_.size()),
             partials[0].area_fractions.assign(source_fractions_.size(), 0);
         const size_t maximum = beam_width / std::max<size_t>(areas_.size(), 1) + 1;
         for (const size_t t : order) {
             next.clear();
-            for (const PartialAssignment &partial : partials)
+            for (size_t from = 0; from < partials.size(); ++from) {
+                const PartialAssignment &partial = partials[from];
+                view_cost_.added(t, partial.zones, seen);
                 for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
                     if (!may_show(t, zone)) continue;
-                    if (partial.area_fractions[zone] + areas_[t] > source_fractions_[zone] + zone_tolerance_ &&
-                        zone != cheapest_[t])
-                        continue;
-                    next.push_back(partial);
-                    next.back().cost += view_cost_.added(t, zone, partial.zones);
-                    next.back().assign(t, zone, areas_[t], zone_cost_.of(t, zone), neighbours_[t]);
-                    const double over = next.back().area_fractions[zone] - source_fractions_[zone] - zone_tolerance_;
-                    next.back().cost += excess_penalty * std::clamp(over, 0.0, areas_[t]);
+                    const double share = partial.area_fractions[zone] + areas_[t];
+                    if (share > source_fractions_[zone] + zone_tolerance_ && zone != cheapest_[t]) continue;
+                    double cost = partial.cost;
+                    cost += seen[zone];
+                    cost += zone_cost_.of(t, zone) - seam_penalty * partial.equal_neighbours(zone, neighbours_[t]);
+                    const double over = share - source_fractions_[zone] - zone_tolerance_;
+                    cost += excess_penalty * std::clamp(over, 0.0, areas_[t]);
+                    next.push_back({cost, from, zone});
                 }
-            const auto cheaper = [](const PartialAssignment &a, const PartialAssignment &b) { return a.cost < b.cost; };
+            }
+            const auto cheaper = [](const Extension &a, const Extension &b) { return a.cost < b.cost; };
             std::stable_sort(next.begin(), next.end(), cheaper);
             if (next.size() > maximum) next.resize(maximum);
-            partials.swap(next);
+            kept.clear();
+            for (const Extension &one : next) kept.push_back(partials[one.from]), kept.back().assign(t, one, areas_[t]);
+            partials.swap(kept);
         }
         const auto short_of = [&](const PartialAssignment &partial) {
             double sum = partial.cost;
@@ -179,16 +134,22 @@ public:
     }
 
 private:
+    struct Extension {  // of a partial assignment by one triangle
+        double cost = 0;
+        size_t from = 0, zone = 0;
+    };
     struct PartialAssignment {
         std::vector<size_t> zones;
         ZoneValues area_fractions;
         double cost = 0;
-        void assign(size_t t, size_t zone, double area, double zone_cost, const std::vector<uint32_t> &beside)
+        double equal_neighbours(size_t zone, const std::vector<uint32_t> &beside) const
         {
-            zones[t] = zone, area_fractions[zone] += area;
-            cost += zone_cost - seam_penalty * double(std::count_if(beside.begin(), beside.end(), [&](uint32_t other) {
-                                    return zones[other] == zone;
-                                }));
+            return double(
+                std::count_if(beside.begin(), beside.end(), [&](uint32_t other) { return zones[other] == zone; }));
+        }
+        void assign(size_t t, const Extension &by, double area)
+        {
+            zones[t] = by.zone, area_fractions[by.zone] += area, cost = by.cost;
         }
     };
     struct Change {
@@ -228,30 +189,57 @@ private:
         const std::vector<uint32_t> &all = neighbours_[triangle];
         return double(std::count_if(all.begin(), all.end(), [&](uint32_t t) { return zones_[t] == zone; }));
     }
-    // Searches all sequences of changes that begin with changes_. With more than `very_few` triangles a sequence
+    // Sets candidates_, in the order of triangles and zones: all changes or, for several at once after max_tries, those
+    // with the largest gains.
+    void choose_candidates(size_t at_once)
+    {
+        candidates_.clear();
+        for (size_t t = 0; t < areas_.size(); ++t)
+            for (size_t zone = 0; zone < source_fractions_.size(); ++zone)
+                if (may_show(t, zone)) candidates_.push_back({t, zone});
+        if (at_once == 1 || tries_ < max_tries) return;
+        const size_t most = at_once == 2 ? max_of_two : max_of_three;
+        std::vector<std::pair<double, Change>> all;
+        for (const Change &c : candidates_)
+            if (c.zone != zones_[c.triangle]) all.emplace_back(gain(c), c);
+        const auto is_better = [](const auto &a, const auto &b) { return a.first > b.first; };
+        std::stable_sort(all.begin(), all.end(), is_better);
+        all.resize(std::min(all.size(), most));
+        candidates_.clear();
+        for (const auto &one : all) candidates_.push_back(one.second);
+        std::sort(candidates_.begin(), candidates_.end(), [](const Change &a, const Change &b) {
+            return a.triangle != b.triangle ? a.triangle < b.triangle : a.zone < b.zone;
+        });
+    }
+    // Searches all sequences of candidates that begin with changes_. With more than `very_few` triangles a sequence
     // continues only if some zone has an excess, and only with changes that affect it.
     void search(size_t at_once, double so_far)
     {
-        for (size_t t = 0; t < areas_.size(); ++t) {
-            const size_t was = zones_[t];
-            const double was_off = excess_cost(was, area_fractions_[was]);
-            if (std::any_of(changes_.begin(), changes_.end(), [t](const Change &c) { return c.triangle == t; }))
-                continue;
-            for (size_t zone = 0; zone < source_fractions_.size(); ++zone) {
-                if (zone == was || !may_show(t, zone)) continue;
-                if (areas_.size() > very_few && changes_.size() + at_once > 1 && was_off == 0 &&
-                    excess_cost(zone, area_fractions_[zone]) == 0)
-                    continue;
-                const double now = so_far + gain({t, zone});
-                changes_.push_back({t, zone});
-                if (now > best_gain_) best_gain_ = now, best_ = changes_;
-                if (at_once > 1) {
-                    set({t, zone});
-                    search(at_once - 1, now);
-                    set({t, was});
-                }
-                changes_.pop_back();
+        const bool is_all = tries_ < max_tries;
+        size_t before = areas_.size(), was = 0;  // the triangle before, and the zone of this one
+        double was_off = 0;
+        bool is_taken = false;
+        for (size_t i = 0; i < candidates_.size(); ++i) {
+            const size_t t = candidates_[i].triangle, zone = candidates_[i].zone;
+            if (t != before) {
+                before = t, was = zones_[t], was_off = excess_cost(was, area_fractions_[was]);
+                is_taken =
+                    std::any_of(changes_.begin(), changes_.end(), [t](const Change &c) { return c.triangle == t; });
             }
+            if (is_taken || zone == was) continue;
+            if (areas_.size() > very_few && changes_.size() + at_once > 1 && was_off == 0 &&
+                excess_cost(zone, area_fractions_[zone]) == 0)
+                continue;
+            if (is_all && changes_.size() + at_once > 1 && ++tries_ >= max_tries) return;
+            const double now = so_far + gain({t, zone});
+            changes_.push_back({t, zone});
+            if (now > best_gain_) best_gain_ = now, best_ = changes_;
+            if (at_once > 1) {
+                set({t, zone});
+                search(at_once - 1, now);
+                set({t, was});
+            }
+            changes_.pop_back();
         }
     }
 
@@ -262,7 +250,8 @@ private:
     std::vector<std::vector<uint32_t>> neighbours_;
     ZoneValues area_fractions_;
     std::vector<size_t> zones_, cheapest_;
-    std::vector<Change> changes_, best_;
+    std::vector<Change> candidates_, changes_, best_;
+    uint64_t &tries_;
     double best_gain_ = 0;
 };
 
@@ -276,9 +265,10 @@ std::vector<uint32_t> assign_zones(const model::Model &model, const PosedParts &
     const double all = std::accumulate(areas.begin(), areas.end(), 0.0);
     for (double &area : areas) area = all > 0 ? area / all : 0;
     const ZoneCost zone_cost(model, source, level, zone_areas, areas, weights);
-    ZoneAssignment assignment(level, zone_cost, areas, goals);
+    uint64_t tries = 0;
+    ZoneAssignment assignment(level, zone_cost, areas, goals, tries);
     assignment.improve();
-    ZoneAssignment other(level, zone_cost, areas, goals);
+    ZoneAssignment other(level, zone_cost, areas, goals, tries);
     other.start_from(other.beam_search());
     other.improve();
     if (other.cost() < assignment.cost()) assignment.start_from(other.zones());

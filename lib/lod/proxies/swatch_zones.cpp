@@ -26,7 +26,7 @@ std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedP
                                          const std::vector<PointPair> &out)
 {
     std::vector<ZoneColours> zone_colours(part.triangles().size());
-    const std::vector<PointPair> back = nearest_pairs(part, source.fine);
+    const std::vector<PointPair> back = source.trees.nearest_pairs(part);
     for (const PointPair &pair : out) {
         const uint32_t t = pair.here.triangle;
         if (pair.corner == PointPair::inside && source.visibility[t] > 0)

@@ -33,12 +33,12 @@ double ViewCost::cost() const
     return sum;
 }
 
-double ViewCost::added(size_t triangle, size_t zone, const std::vector<size_t> &zones) const
+void ViewCost::added(size_t triangle, const std::vector<size_t> &zones, std::vector<double> &out) const
 {
-    double sum = own(triangle) - 2 * wanted(triangle, zone);
+    out.resize(zones_ + 1);
+    for (size_t zone = 0; zone < zones_; ++zone) out[zone] = own(triangle) - 2 * wanted(triangle, zone);
     for (size_t t = 0; t < triangles_; ++t)
-        if (t != triangle && zones[t] == zone) sum += 2 * products_[triangle * triangles_ + t];
-    return sum;
+        if (t != triangle) out[zones[t]] += 2 * products_[triangle * triangles_ + t];
 }
 
 void ViewCost::set(size_t triangle, size_t was, size_t zone)

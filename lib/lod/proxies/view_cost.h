@@ -28,8 +28,9 @@ public:
         return 2 * (together(triangle, was) - together(triangle, zone) - own(triangle)) -
                2 * (wanted(triangle, was) - wanted(triangle, zone));
     }
-    // What a triangle adds to a partial assignment; zones[t] is the zone of triangle t, or none of `zone`.
-    double added(size_t triangle, size_t zone, const std::vector<size_t> &zones) const;
+    // Sets out[zone] to what a triangle that shows it adds to a partial assignment, for all zones. zones[t] is the zone
+    // of triangle t, or the number of zones if it has none yet.
+    void added(size_t triangle, const std::vector<size_t> &zones, std::vector<double> &out) const;
     // `was` may be no_zone.
     void set(size_t triangle, size_t was, size_t zone);
     static constexpr size_t no_zone = static_cast<size_t>(-1);

@@ -53,12 +53,14 @@ TEST(ViewCost, IsTheMeanSquaredErrorOfAllViewsLessThatOfAnEmptyLevel)
     const double empty = by_definition(all, std::vector<size_t>(triangle_count, zone_count));
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         lod::ViewCost cost(all, triangle_count, zone_count, 3);
-        std::vector<size_t> shown(triangle_count, lod::ViewCost::no_zone);
+        std::vector<size_t> shown(triangle_count, zone_count);
+        std::vector<double> added;
         double sum = 0;
         for (size_t t = 0; t < triangle_count; ++t) {
             const size_t zone = base::mix(100 * seed + t) % zone_count;
-            sum += cost.added(t, zone, shown);
-            cost.set(t, shown[t], zone), shown[t] = zone;
+            cost.added(t, shown, added);
+            sum += added[zone];
+            cost.set(t, lod::ViewCost::no_zone, zone), shown[t] = zone;
         }
         EXPECT_NEAR(cost.cost(), 3 * (by_definition(all, shown) - empty), 1e-12);
         EXPECT_NEAR(sum, cost.cost(), 1e-12) << "the parts of a partial assignment";
