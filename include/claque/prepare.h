@@ -1,11 +1,12 @@
 /* Templates that are prepared once and kept on disk (libclaque-assets), so that later starts take milliseconds. A
- * prepared file is found by a hash of what it was made from: the character's files, the options, and the sources of the
- * library itself. So a stale file is never used. A file that is cut off or changed is made again. Files may be deleted
- * at any time. */
+ * prepared file is found by a hash of what it was made from: the character's files, the options, zone maps to the last
+ * texel, and the sources of the library itself. So a stale file is never used. A file that is cut off or changed is
+ * made again. Files may be deleted at any time. */
 #ifndef CLAQUE_PREPARE_H
 #define CLAQUE_PREPARE_H
 
 #include <claque/levels.h>
+#include <claque/zones.h>
 
 #ifdef __cplusplus
 extern "C" {
@@ -32,6 +33,9 @@ typedef struct clq_prepare_def {
     const char *folder;
     const clq_asset_dof *dofs; /* [dof_count] added as by clq_asset_add_dofs, before levels are made */
     uint32_t dof_count;
+    /* [zone_map_count] given to clq_asset_set_zone_map, in order, before levels are made */
+    const clq_zone_map_def *const *zone_maps;
+    uint32_t zone_map_count;
 } clq_prepare_def;
 
 CLQ_DEFINE_ZERO_INIT(clq_prepare_def)
@@ -51,7 +55,7 @@ CLQ_DEFINE_ZERO_INIT(clq_prepare_report)
  *   out          owned by the host until clq_template_destroy
  *   out_report   made by clq_prepare_report_init; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT, and as clq_asset_load_file, clq_asset_builtin_varied, clq_asset_add_dofs,
- * clq_asset_make_levels and clq_asset_build. Threads: any. GL: none. */
+ * clq_asset_set_zone_map, clq_asset_make_levels and clq_asset_build. Threads: any. GL: none. */
 CLQ_API clq_status clq_template_prepare(clq_context *context, const clq_prepare_def *def, clq_template **out,
                                         clq_prepare_report *out_report);
 

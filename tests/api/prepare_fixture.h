@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -50,8 +51,12 @@ protected:
     {
         clq_template *tmpl = nullptr;
         EXPECT_EQ(clq_template_prepare(context_, &def, &tmpl, &report), CLQ_OK) << clq_last_error();
+        return tmpl ? saved(tmpl) : Bytes();
+    }
+    // Destroys the template.
+    static Bytes saved(clq_template *tmpl)
+    {
         Bytes bytes;
-        if (!tmpl) return bytes;
         const auto append = [](void *user, const void *more, size_t size) {
             auto *all = static_cast<Bytes *>(user);
             const char *first = static_cast<const char *>(more);

@@ -56,6 +56,98 @@ TEST_F(Prepare, KeepsOtherOptionsInOtherFiles)
     EXPECT_EQ(files().size(), 5u);
 }
 
+// A map of the citizen's image: its left half is one zone, its right half another one.
+struct HalfMap {
+    HalfMap()
+    {
+        def.width_px = def.height_px = 4;
+        def.texels = texels.data();
+        def.zones = zones.data(), def.zone_count = 2;
+    }
+    std::vector<uint16_t> texels = {0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1, 1};
+    std::vector<clq_zone_map_zone> zones = {{"left", false, nullptr}, {"right", false, nullptr}};
+    clq_hsb_range range = clq_hsb_range_init();
+    clq_zone_map_def def = clq_zone_map_def_init();
+};
+
+TEST_F(Prepare, KeepsTheZonesOfAMapInAFileOfItsOwn)
+{
+    HalfMap map;
+    const clq_zone_map_def *const maps[] = {&map.def};
+    clq_prepare_def def = owl();
+    def.builtin = "citizen";
+    clq_prepare_report report = clq_prepare_report_init();
+    const Bytes plain = made(def, report);
+    def.zone_maps = maps, def.zone_map_count = 1;
+    const Bytes zoned = made(def, report);
+    EXPECT_FALSE(report.from_disk);
+    EXPECT_NE(zoned, plain);
+    const std::string all(zoned.begin(), zoned.end());
+    EXPECT_NE(all.find("left"), std::string::npos);
+    EXPECT_EQ(made(def, report), zoned);
+    EXPECT_TRUE(report.from_disk) << report.text;
+    clq_asset *asset = nullptr;
+    clq_template *by_hand = nullptr;
+    ASSERT_EQ(clq_asset_builtin(context_, "citizen", &asset), CLQ_OK);
+    ASSERT_EQ(clq_asset_set_zone_map(context_, asset, &map.def), CLQ_OK) << clq_last_error();
+    ASSERT_EQ(clq_asset_build(context_, asset, 0, &by_hand), CLQ_OK);
+    EXPECT_EQ(saved(by_hand), zoned);
+    clq_asset_destroy(asset);
+}
+
+TEST_F(Prepare, TellsZoneMapsApartByAllThatTheySay)
+{
+    HalfMap map;
+    const clq_zone_map_def *const maps[] = {&map.def};
+    clq_prepare_def def = owl();
+    def.builtin = "citizen";
+    def.zone_maps = maps, def.zone_map_count = 1;
+    clq_prepare_report report = clq_prepare_report_init();
+    made(def, report);
+    const std::function<void()> changes[] = {[&] { map.texels.back() = 0; },
+                                             [&] { map.def.width_px = 2, map.def.height_px = 8; },
+                                             [&] { map.zones[1].name = "other"; },
+                                             [&] { map.zones[1].reduced = true; },
+                                             [&] { map.zones[1].range = &map.range; },
+                                             [&] { map.range.hue_max_deg = 20; },
+                                             [&] { map.def.image = 1; },
+                                             [&] {
+                                                 map.zones.push_back({"more", false, nullptr});
+                                             }};
+    for (size_t i = 0; i < std::size(changes); ++i) {
+        changes[i]();
+        map.def.zones = map.zones.data(), map.def.zone_count = static_cast<uint32_t>(map.zones.size());
+        made(def, report);
+        EXPECT_FALSE(report.from_disk) << "change " << i;
+    }
+    EXPECT_EQ(files().size(), 1 + std::size(changes));
+}
+
+TEST_F(Prepare, RefusesAZoneMapWithoutTexelsOrZones)
+{
+    HalfMap map;
+    const clq_zone_map_def *maps[] = {&map.def};
+    clq_prepare_def def = owl();
+    def.zone_maps = maps, def.zone_map_count = 1;
+    const auto refused = [&](clq_status status, const char *why) {
+        clq_template *tmpl = nullptr;
+        EXPECT_EQ(clq_template_prepare(context_, &def, &tmpl, nullptr), status) << why;
+        EXPECT_NE(std::string(clq_last_error()).find(why), std::string::npos) << clq_last_error();
+    };
+    map.def.texels = nullptr;
+    refused(CLQ_ARGUMENT, "texels of a zone map are NULL");
+    map.def.texels = map.texels.data(), map.def.zones = nullptr;
+    refused(CLQ_ARGUMENT, "zones of a zone map is NULL with a count of 2");
+    maps[0] = nullptr;
+    refused(CLQ_ARGUMENT, "a zone map is NULL");
+    def.zone_maps = nullptr;
+    refused(CLQ_ARGUMENT, "zone_maps is NULL with a count of 1");
+    HalfMap other;
+    other.def.struct_bytes -= 1;
+    maps[0] = &other.def, def.zone_maps = maps;
+    refused(CLQ_STRUCT_SIZE, "clq_zone_map_def_init");
+}
+
 TEST_F(Prepare, SeesThatAFileBesideTheCharacterChanged)
 {
     clq_prepare_def def = owl();

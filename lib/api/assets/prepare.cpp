@@ -19,6 +19,14 @@ void check(const clq_prepare_def &def)
     api::require(def.builtin || def.clip_count == 0, "clip_count needs builtin");
     api::require(def.path || !def.options, "options go with path alone");
     api::require_array(def.dofs, def.dof_count, "degrees of freedom");
+    api::require_array(def.zone_maps, def.zone_map_count, "zone_maps");
+    for (uint32_t i = 0; i < def.zone_map_count; ++i) {
+        api::require(def.zone_maps[i] != nullptr, "a zone map is NULL");
+        const clq_zone_map_def &map = *def.zone_maps[i];
+        api::require_size(map, "clq_zone_map_def_init");
+        api::require(map.texels != nullptr, "texels of a zone map are NULL");
+        api::require_array(map.zones, map.zone_count, "zones of a zone map");
+    }
 }
 
 void add_levels(const clq_levels_def &levels, asset::ContentHash &all)
@@ -46,6 +54,24 @@ void add_dofs(const clq_prepare_def &def, asset::ContentHash &all)
     }
 }
 
+// Nothing where there is no map, so that templates without one keep their names.
+void add_zone_maps(const clq_prepare_def &def, asset::ContentHash &all)
+{
+    for (uint32_t i = 0; i < def.zone_map_count; ++i) {
+        const clq_zone_map_def &map = *def.zone_maps[i];
+        all.add(uint64_t(map.image));
+        all.add(uint64_t(map.width_px));
+        all.add(map.texels, uint64_t(map.width_px) * map.height_px * sizeof *map.texels);
+        all.add(uint64_t(map.zone_count));
+        for (uint32_t z = 0; z < map.zone_count; ++z) {
+            const clq_zone_map_zone &zone = map.zones[z];
+            all.add(std::string(api::name_of(zone.name)));
+            all.add(uint64_t(zone.reduced));
+            all.add(zone.range, zone.range ? sizeof *zone.range : 0);
+        }
+    }
+}
+
 asset::ContentHash name_of(const clq_prepare_def &def)
 {
     asset::ContentHash all = api::start_of_name();
@@ -64,6 +90,7 @@ asset::ContentHash name_of(const clq_prepare_def &def)
     if (def.levels) add_levels(api::read_def(def.levels, clq_levels_def_init, "clq_levels_def_init"), all);
     all.add(uint64_t(def.max_texture_px));
     if (def.dof_count) add_dofs(def, all);
+    add_zone_maps(def, all);
     return all;
 }
 
@@ -80,6 +107,8 @@ api::Template made_anew(clq_context *context, const clq_prepare_def &def)
 {
     const api::Asset asset = asset_of(context, def);
     if (def.dof_count) api::pass_on(clq_asset_add_dofs(context, asset.get(), def.dofs, def.dof_count));
+    for (uint32_t i = 0; i < def.zone_map_count; ++i)
+        api::pass_on(clq_asset_set_zone_map(context, asset.get(), def.zone_maps[i]));
     if (def.levels) api::pass_on(clq_asset_make_levels(context, asset.get(), def.levels, nullptr));
     clq_template *made = nullptr;
     api::pass_on(clq_asset_build(context, asset.get(), def.max_texture_px, &made));

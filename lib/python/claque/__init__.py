@@ -16,10 +16,10 @@ from .renderer import Renderer
 from .samples import VariedSample, samples
 from .scene import Scene
 from .stage import Agent, Stage
-from .template import Template
+from .template import Template, ZoneMap
 from .tracks import Locomotion, Track, Tracks, find_passings
 from .trajectories import Area, Trajectories
 
 __all__ = ["Actor", "Agent", "Area", "Context", "Crowd", "Error", "Locomotion", "Offscreen", "Record", "Renderer",
            "Sample", "Scene", "Stage", "Status", "Template", "Track", "Tracks", "Trajectories", "VariedSample",
-           "View", "find_passings", "labels", "library_paths", "samples"]
+           "View", "ZoneMap", "find_passings", "labels", "library_paths", "samples"]

@@ -188,10 +188,20 @@ class AssetOptions(Sized):
                 ("blend", c_int), ("wild_colours", c_bool)]
 
 
+class ZoneMapZone(Structure):
+    _fields_ = [("name", c_char_p), ("reduced", c_bool), ("range", POINTER(HsbRange))]
+
+
+class ZoneMapDef(Sized):
+    _fields_ = [("struct_bytes", c_uint32), ("image", c_uint32), ("width_px", c_uint32), ("height_px", c_uint32),
+                ("texels", POINTER(c_uint16)), ("zone_count", c_uint32), ("zones", POINTER(ZoneMapZone))]
+
+
 class PrepareDef(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("builtin", c_char_p), ("path", c_char_p), ("clip_count", c_uint32),
                 ("options", POINTER(AssetOptions)), ("levels", POINTER(LevelsDef)), ("max_texture_px", c_uint32),
-                ("folder", c_char_p), ("dofs", c_void_p), ("dof_count", c_uint32)]
+                ("folder", c_char_p), ("dofs", c_void_p), ("dof_count", c_uint32),
+                ("zone_maps", POINTER(POINTER(ZoneMapDef))), ("zone_map_count", c_uint32)]
 
 
 # By their names in the headers, for the layout test.
@@ -203,8 +213,8 @@ STRUCTS = {
     "clq_zone_info": ZoneInfo, "clq_template_info": TemplateInfo, "clq_mesh": Mesh, "clq_triangles": Triangles,
     "clq_drawn_actor": DrawnActor, "clq_drawn_arrays": DrawnArrays, "clq_view_stats": ViewStats,
     "clq_renderer_def": RendererDef, "clq_draw_stats": DrawStats,
-    "clq_levels_def": LevelsDef, "clq_prepare_def": PrepareDef,
-    "clq_asset_options": AssetOptions,
+    "clq_levels_def": LevelsDef, "clq_zone_map_zone": ZoneMapZone, "clq_zone_map_def": ZoneMapDef,
+    "clq_prepare_def": PrepareDef, "clq_asset_options": AssetOptions,
 }
 
 

@@ -1,7 +1,7 @@
 """Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
 import difflib
-from ctypes import POINTER, byref, c_size_t, c_uint8, c_uint16, c_uint32, cast, c_float
+from ctypes import POINTER, byref, c_float, c_size_t, c_uint8, c_uint16, c_uint32, cast, pointer
 
 import numpy
 
@@ -11,23 +11,42 @@ from .memory import borrowed
 from .owner import Owned, made
 
 
+class ZoneMap:
+    """Zones of one of a character's images: `texels` (height, width), the row at v = 0 first, are indices of `zones`,
+    0xFFFF where the nearest zone is meant. A zone is its name, or (name, True): its texels become grey, so that it
+    takes any colour."""
+
+    def __init__(self, texels, zones, image=0):
+        self._texels = numpy.ascontiguousarray(texels, numpy.uint16)
+        if self._texels.ndim != 2 or not numpy.array_equal(self._texels, texels):
+            raise ValueError(f"texels of shape {numpy.shape(texels)}; (height, width) of numbers from 0 to 0xFFFF are "
+                             "wanted")
+        named = [(zone, False) if isinstance(zone, str) else zone for zone in zones]
+        self._zones = (abi.ZoneMapZone * len(named))(*((name.encode(), reduced) for name, reduced in named))
+        height, width = self._texels.shape
+        self.definition = abi.ZoneMapDef(image=image, width_px=width, height_px=height, zone_count=len(named),
+                                         texels=self._texels.ctypes.data_as(POINTER(c_uint16)), zones=self._zones)
+
+
 class Template(Owned):
     """A character that many individuals share, created by builtin(), load() or load_prepared()."""
 
     _destroy = "clq_template_destroy"
 
     @classmethod
-    def builtin(cls, context, name, levels=False, folder=""):
+    def builtin(cls, context, name, levels=False, folder="", zone_maps=()):
         """A built-in character: citizen, patrician, decurion, plebeian, herald or owl. `levels`: with levels of detail;
-        `folder`: where the prepared template is stored (None: the user's cache folder; "": nowhere)."""
-        return cls._prepare(context, levels, folder, builtin=name.encode())
+        `folder`: where the prepared template is stored (None: the user's cache folder; "": nowhere); `zone_maps`: a
+        ZoneMap for each image that gets zones."""
+        return cls._prepare(context, levels, folder, zone_maps, builtin=name.encode())
 
     @classmethod
-    def load(cls, context, path, levels=False, folder="", turn_deg=0, height_m=0, scale=0, wild_colours=False):
+    def load(cls, context, path, levels=False, folder="", zone_maps=(), turn_deg=0, height_m=0, scale=0,
+             wild_colours=False):
         """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor
         (clq_asset_options). `wild_colours`: individuals wear most hues, not colours near the file's."""
         options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, wild_colours=wild_colours)
-        return cls._prepare(context, levels, folder, path=str(path).encode(),
+        return cls._prepare(context, levels, folder, zone_maps, path=str(path).encode(),
                             options=cast(byref(options), POINTER(abi.AssetOptions)))
 
     @classmethod
@@ -37,8 +56,10 @@ class Template(Owned):
         return cls(made("clq_template_load", abi.call, context.handle, data, c_size_t(len(data))), context)
 
     @classmethod
-    def _prepare(cls, context, levels, folder, **source):
+    def _prepare(cls, context, levels, folder, zone_maps, **source):
         definition = abi.PrepareDef(**source)
+        maps = (POINTER(abi.ZoneMapDef) * len(zone_maps))(*(pointer(one.definition) for one in zone_maps))
+        definition.zone_maps, definition.zone_map_count = maps, len(zone_maps)
         definition.folder = None if folder is None else str(folder).encode()
         chain = abi.LevelsDef()
         if levels:
