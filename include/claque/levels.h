@@ -50,7 +50,8 @@ static inline clq_levels_def clq_levels_def_init(void)
  * of fewer than 20 triangles is also left out in three cases. The share of a zone changes by more than 2 points of the
  * surface and by more than half of a pixel where the level begins. A larger zone nearly vanishes. Pictures from nine
  * sides show on average more than 28 % of wrong zones. Zones that cover less than a hundredth of the surface may vanish
- * from coarse levels. The levels do not depend on the context's tasks, which share the work.
+ * from coarse levels. The levels do not depend on the context's tasks, which share the work. It may take seconds: a
+ * note in the log says that it begins, with the number of triangles, and another that it ends, with that of the levels.
  *   def         NULL means clq_levels_def_init()
  *   out_count   the number of levels, for clq_asset_get_level_report; may be NULL
  * Fails: STRUCT_SIZE, ARGUMENT (nothing to decimate; targets that do not descend; a number out of its range), LIMIT

@@ -35,7 +35,11 @@ protected:
         setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
         clq_context_def def = clq_context_def_init();
         def.log.user = this;
-        def.log.write = [](void *user, clq_log_level, const char *text) { static_cast<OneCall *>(user)->log_ += text; };
+        def.log.write = [](void *user, clq_log_level level, const char *text) {
+            OneCall *self = static_cast<OneCall *>(user);
+            if (level == CLQ_LOG_INFO) self->notes_.emplace_back(text);
+            else self->log_ += text;
+        };
         ASSERT_EQ(clq_context_create(&def, &context_), CLQ_OK);
     }
     void TearDown() override
@@ -112,6 +116,7 @@ protected:
 
     fs::path folder_;
     std::string text_, log_;
+    std::vector<std::string> notes_;
     clq_context *context_ = nullptr;
 };
 
@@ -142,6 +147,18 @@ TEST_F(OneCall, GivesBuiltInCharactersLevelsOfDetailButThoseThatHaveThem)
     EXPECT_EQ(log_, "");
 }
 
+TEST_F(OneCall, SaysInTheLogWhenLevelsBeginAndEndAndNothingWhereTheyComeFromDisk)
+{
+    const Bytes file = read(written::path_of("WrittenPerson.glb", ""));
+    loaded(file);
+    ASSERT_EQ(notes_.size(), 2u);
+    EXPECT_EQ(notes_[0], "levels of detail of '': making them; triangles: 580");
+    EXPECT_EQ(notes_[1].rfind("levels of detail of '': made: ", 0), 0u) << notes_[1];
+    EXPECT_GT(std::stoi(notes_[1].substr(notes_[1].rfind(' '))), 3) << notes_[1];
+    loaded(file);
+    EXPECT_EQ(notes_.size(), 2u);
+}
+
 TEST_F(OneCall, MakesWhatItKeepsOfTheFilesBesideAndOfTheOptions)
 {
     const Bytes file = stack(2);
@@ -167,6 +184,8 @@ TEST_F(OneCall, BuildsWithoutLevelsWhatIsRefusedLevels)
     ASSERT_EQ(clq_asset_load(context_, file.data(), file.size(), &options, &asset), CLQ_OK);
     EXPECT_EQ(loaded(file, &options), built(asset, false));
     EXPECT_NE(log_.find("no levels of detail: "), std::string::npos) << log_;
+    ASSERT_EQ(notes_.size(), 2u);
+    EXPECT_NE(notes_[1].find("made: 0"), std::string::npos) << notes_[1];
 }
 
 TEST_F(OneCall, WritesNothingAndFailsForAFileThatIsCutOff)

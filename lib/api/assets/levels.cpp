@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "lib/api/assets/asset_handle.h"
 #include "lib/api/boundary.h"
@@ -40,6 +41,30 @@ lod::ChainOptions options_of(clq_context *context, const clq_levels_def &def)
     return options;
 }
 
+// Says in the log that levels begin to be made, which may take seconds, and at the end how many there are. Nothing is
+// allocated once the model has changed.
+std::vector<lod::LevelReport> made_with_notes(clq_context *context, model::Model &model,
+                                              const lod::ChainOptions &options)
+{
+    const auto note = [&](const char *what, size_t count) {
+        char text[256];
+        std::snprintf(text, sizeof text, "levels of detail of '%.100s': %s %zu", model.name.c_str(), what, count);
+        clq_context_log(context, CLQ_LOG_INFO, text);
+    };
+    size_t triangles = 0;
+    for (const model::Part &part : model.parts) triangles += part.hidden ? 0 : model::triangles_of(part).size();
+    note("making them; triangles:", triangles);
+    std::vector<lod::LevelReport> levels;
+    try {
+        levels = lod::make_chain(model, options);
+    } catch (...) {
+        note("made:", 0);
+        throw;
+    }
+    note("made:", levels.size());
+    return levels;
+}
+
 clq_level_report made(const lod::LevelReport &level)
 {
     clq_level_report out = clq_level_report_init();
@@ -66,7 +91,7 @@ extern "C" clq_status clq_asset_make_levels(clq_context *context, clq_asset *ass
     return api::boundary("clq_asset_make_levels", [&] {
         api::require(context && asset, "context or asset is NULL");
         const clq_levels_def wanted = api::read_def(def, clq_levels_def_init, "clq_levels_def_init");
-        asset->levels = lod::make_chain(asset->model, options_of(context, wanted));
+        asset->levels = made_with_notes(context, asset->model, options_of(context, wanted));
         if (out_count) *out_count = static_cast<uint32_t>(asset->levels.size());
     });
 }
