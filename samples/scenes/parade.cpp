@@ -157,8 +157,10 @@ private:
     clq_camera frame(int rows, int columns, double aspect) const
     {
         const Fit f = fit(rows, columns, aspect);
-        return look({0, f.target_y - f.fy * f.distance, f.target_z - f.fz * f.distance}, {0, f.target_y, f.target_z},
-                    fov_deg, aspect, f.distance * 0.02, f.distance * 40 + 100);
+        // Where a model is long and low, the rounds end anywhere, also under the ground.
+        const double eye_y = std::max(f.target_y - f.fy * f.distance, 0.05 * f.distance);
+        return look({0, eye_y, f.target_z - f.fz * f.distance}, {0, f.target_y, f.target_z}, fov_deg, aspect,
+                    f.distance * 0.02, f.distance * 40 + 100);
     }
 
     void take_citizen(Library &library)
