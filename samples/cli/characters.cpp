@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include "samples/cli/files.h"
+#include "samples/cli/progress.h"
 #include "samples/io/ending.h"
 
 namespace cli
@@ -21,7 +22,8 @@ namespace
 void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::Character &character)
 {
     constexpr uint32_t most = 8;
-    const uint32_t clips = std::min(info.clip_count, most);
+    const uint32_t first_clip = std::min(character.first_clip, info.clip_count);
+    const uint32_t clips = std::min(info.clip_count - first_clip, most);
     if (clips == 0 || info.vertex_count == 0) return;
     std::vector<float> xyz(3 * static_cast<size_t>(info.vertex_count));
     double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
@@ -31,8 +33,9 @@ void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::
     std::vector<Upwards> upwards;
     for (uint32_t i = 0; i < clips; ++i) {
         clq_clip_info clip = clq_clip_info_init();
-        check(clq_asset_get_clip(asset, i, &clip));
-        check(clq_asset_get_positions(asset, i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
+        check(clq_asset_get_clip(asset, first_clip + i, &clip));
+        check(
+            clq_asset_get_positions(asset, first_clip + i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
         for (size_t axis = 0; axis < 3; ++axis) {
             float low = xyz[axis], high = xyz[axis];
             for (size_t v = axis; v < xyz.size(); v += 3) {
@@ -78,10 +81,12 @@ std::vector<const char *> pointers(const std::vector<std::string> &names)
     return out;
 }
 
-// The template in levels of detail; NULL if the character has levels of its own or too much for any.
+}  // namespace
+
 clq_template *in_levels(scenes::Library &library, const std::string &path, const FileArguments &of_file,
-                        const ClipArguments &clips)
+                        const ClipArguments &clips, const clq_zone_map_def *zones, uint32_t texture_px)
 {
+    const Waiting waiting("making levels of detail of " + path);
     clq_template *made = nullptr;
     clq_status status = CLQ_OK;
     if (clips.files.empty()) {
@@ -89,15 +94,17 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
         const clq_asset_options options = options_of(library, names, of_file, clips);
         const clq_levels_def levels = clq_levels_def_init();
         clq_prepare_def def = clq_prepare_def_init();
-        def.levels = &levels;
+        def.levels = &levels, def.max_texture_px = texture_px;
+        def.zone_maps = &zones, def.zone_map_count = zones ? 1 : 0;
         if (is_builtin(path)) def.builtin = path.c_str(), def.clip_count = clips.vary;
         else def.path = path.c_str(), def.options = &options;
         status = clq_template_prepare(library.context(), &def, &made, nullptr);
     } else {
         // An asset of its own: levels are parts, and the box of the character is that of the finest.
         const scenes::Own<clq_asset> asset = load_asset(library, path, of_file, clips);
+        if (zones) check(clq_asset_set_zone_map(library.context(), asset.get(), zones), path);
         status = clq_asset_make_levels(library.context(), asset.get(), nullptr, nullptr);
-        if (status == CLQ_OK) status = clq_asset_build(library.context(), asset.get(), 0, &made);
+        if (status == CLQ_OK) status = clq_asset_build(library.context(), asset.get(), texture_px, &made);
     }
     if (status == CLQ_LIMIT)
         clq_context_log(library.context(), CLQ_LOG_WARNING,
@@ -105,6 +112,9 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
     else if (status != CLQ_ARGUMENT) check(status, path);
     return made;
 }
+
+namespace
+{
 
 scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedCharacter &loaded, const std::string &path,
                                       const FileArguments &of_file, const ClipArguments &clips, scenes::Lod levels)

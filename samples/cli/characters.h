@@ -33,6 +33,11 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
 LoadedCharacter load_character(scenes::Library &library, const std::string &path, const FileArguments &of_file = {},
                                const ClipArguments &clips = {}, scenes::Lod levels = scenes::Lod::off);
 
+// The template in levels of detail, from the cache folder as above; NULL if the character has levels of its own or too
+// much for any. `zones`: may be NULL.
+clq_template *in_levels(scenes::Library &library, const std::string &path, const FileArguments &of_file,
+                        const ClipArguments &clips, const clq_zone_map_def *zones = nullptr, uint32_t texture_px = 0);
+
 clq_asset_info info_of(const clq_asset *asset);
 clq_template_info info_of(const clq_template *tmpl);
 

@@ -45,7 +45,7 @@ void add_clip_options(CLI::App &command, ClipArguments &a)
     CLI::Option *files = add_clip_files(command, a);
     command.get_option("--map")->needs(files);
     command.add_option("--vary", a.vary, "Vary the clips of a built-in person until it has this many, such as 150")
-        ->check(CLI::Range(19, 2000));
+        ->check(CLI::Range(23, 2000));
     command.add_option("--unit", a.unit_m, "Metres of one unit in BVH files (default 1, or what the map says)")
         ->check(CLI::Range(1e-6, 1e6));
     command.add_option("--from", a.start_s, "Seconds to skip at the beginning of each clip")

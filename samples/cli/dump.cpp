@@ -37,8 +37,12 @@ void dump(const DumpArguments &a)
     expect_writable(a.out);
     scenes::Library library(1);
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
+    const clq_asset_info info = info_of(asset.get());
+    if (info.vertex_count == 0)
+        throw scenes::Failure(a.file + " has no mesh, so there are no positions to write" +
+                              (info.clip_count ? ": --clips " + a.file + " adds its clips to a character" : ""));
     const uint32_t clip = find_clip(asset.get(), a);
-    std::vector<float> xyz(3 * static_cast<size_t>(info_of(asset.get()).vertex_count));
+    std::vector<float> xyz(3 * static_cast<size_t>(info.vertex_count));
     scenes::check(clq_asset_get_positions(asset.get(), clip, static_cast<float>(a.time_s), xyz.data(), xyz.size()),
                   a.file);
     const std::string bytes = io::npy("<f4", {xyz.size() / 3, 3}, xyz);

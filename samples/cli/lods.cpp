@@ -12,6 +12,7 @@
 #include "samples/cli/levels_table.h"
 #include "samples/cli/picture_style.h"
 #include "samples/cli/portraits.h"
+#include "samples/cli/progress.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/stopwatch.h"
 #include "samples/io/png.h"
@@ -42,6 +43,7 @@ Levels make_levels(scenes::Library &library, clq_asset *asset, const LodsArgumen
     def.proxy_max_triangles = a.proxy_max_triangles;
     def.quadric_only = quadric_only;
     uint32_t count = 0;
+    const Waiting waiting("making levels of detail of " + a.file);
     scenes::check(clq_asset_make_levels(library.context(), asset, &def, &count), a.file);
     Levels levels(count, clq_level_report_init());
     for (uint32_t i = 0; i < count; ++i) scenes::check(clq_asset_get_level_report(asset, i, &levels[i]), a.file);

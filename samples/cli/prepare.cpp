@@ -13,7 +13,7 @@ namespace
 {
 
 struct PrepareArguments {
-    std::string file, out;
+    std::string file, out, lod = "off";
     uint32_t texture_px = 0;
     std::string colours;  // wild, or empty
     FileArguments of_file;
@@ -28,9 +28,10 @@ void prepare(const PrepareArguments &a)
     if (!a.colours.empty()) library.wear_wild_colours();
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
-    give_zones(library, asset.get(), a.zones);
+    const ZoneMap zones = give_zones(library, asset.get(), a.zones);
     clq_template *made = nullptr;
-    scenes::check(clq_asset_build(library.context(), asset.get(), a.texture_px, &made), a.file);
+    if (a.lod == "on") made = in_levels(library, a.file, a.of_file, a.clips, zones.given(), a.texture_px);
+    if (!made) scenes::check(clq_asset_build(library.context(), asset.get(), a.texture_px, &made), a.file);
     const scenes::Own<clq_template> tmpl(made);
     std::string bytes;
     const auto append = [](void *user, const void *piece, size_t size_bytes) {
@@ -54,6 +55,11 @@ void add_prepare(CLI::App &app, Work &chosen)
     add_zone_options(*c, a->zones);
     c->add_option("--colours", a->colours, "wild: individuals wear most hues, not colours near the file's")
         ->check(CLI::IsMember({"wild"}));
+    c->add_option("--lod", a->lod,
+                  "Make levels of detail (on; without added clips they come from the cache folder the next time), or "
+                  "keep those of the file alone (off)")
+        ->check(CLI::IsMember({"off", "on"}))
+        ->capture_default_str();
     c->add_option(
          "--texture-size", a->texture_px,
          "Largest width and height of an image in texels; larger images are reduced without mixing zones (0: 1024)")

@@ -59,4 +59,28 @@ void Progress::conclude(const std::string &sentence)
     shown_ = false;
 }
 
+Waiting::Waiting(const std::string &doing)
+{
+    if (isatty(STDERR_FILENO) != 1) return;
+    shows_ = std::thread([this, doing] {
+        Progress progress("claque");
+        std::unique_lock<std::mutex> lock(mutex_);
+        for (int seconds = 0; !is_over_; ++seconds) {
+            progress.phase(doing + ", " + std::to_string(seconds) + " s");
+            wake_.wait_for(lock, std::chrono::seconds(1), [this] { return is_over_; });
+        }
+    });
+}
+
+Waiting::~Waiting()
+{
+    if (!shows_.joinable()) return;
+    {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        is_over_ = true;
+    }
+    wake_.notify_all();
+    shows_.join();
+}
+
 }  // namespace cli

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace cli
 {
@@ -25,6 +28,20 @@ private:
     bool terminal_;
     bool shown_ = false;
     std::chrono::steady_clock::time_point start_, last_;
+};
+
+// For work that says nothing of its steps: shows for how many seconds it has lasted, until this is destroyed.
+class Waiting
+{
+public:
+    explicit Waiting(const std::string &doing);
+    ~Waiting();
+
+private:
+    std::mutex mutex_;
+    std::condition_variable wake_;
+    bool is_over_ = false;
+    std::thread shows_;
 };
 
 }  // namespace cli

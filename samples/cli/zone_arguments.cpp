@@ -1,11 +1,10 @@
 #include "samples/cli/zone_arguments.h"
 
-#include <claque/zones.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "samples/cli/files.h"
 #include "samples/cli/scene_arguments.h"
@@ -166,31 +165,33 @@ void add_zone_options(CLI::App &c, ZoneArguments &a)
     c.add_option("--zones-out", a.map, "Write the zones as a PNG, to be corrected and read again with --zones");
 }
 
-void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &a)
+ZoneMap give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &a)
 {
+    ZoneMap map;
     if (a.painted.empty() && a.propose == 0) {
         if (!a.names.empty() || !a.reduced.empty() || !a.map.empty())
             throw scenes::Failure("--zone, --reduce and --zones-out need --zones or --propose");
-        return;
+        return map;
     }
     if (!a.map.empty()) expect_writable(a.map);
     Zones zones = a.painted.empty() ? propose(asset, a) : read_painted(library, a.painted);
     name_zones(zones, a.names);
-    const std::vector<clq_zone_map_zone> painted = painted_of(zones, a.reduced);
-    clq_zone_map_def def = clq_zone_map_def_init();
-    def.image = a.image;
-    def.width_px = zones.width, def.height_px = zones.height;
-    def.texels = zones.texels.data();
-    def.zone_count = static_cast<uint32_t>(painted.size());
-    def.zones = painted.data();
-    scenes::check(clq_asset_set_zone_map(library.context(), asset, &def));
+    map.zones = painted_of(zones, a.reduced);
+    map.def.image = a.image;
+    map.def.width_px = zones.width, map.def.height_px = zones.height;
+    map.def.texels = zones.texels.data();
+    map.def.zone_count = static_cast<uint32_t>(map.zones.size());
+    map.def.zones = map.zones.data();
+    scenes::check(clq_asset_set_zone_map(library.context(), asset, &map.def));
     if (!a.map.empty()) write_map(asset, a, zones);
     for (size_t i = 0; i < zones.keys.size(); ++i) {
         const size_t texels = static_cast<size_t>(std::count(zones.texels.begin(), zones.texels.end(), i));
         std::fprintf(stderr, "%-9s %5.1f %%  %s%s\n", zones.keys[i].c_str(),
                      100.0 * static_cast<double>(texels) / static_cast<double>(zones.texels.size()),
-                     zones.names[i].c_str(), painted[i].reduced ? ", light and dark" : "");
+                     zones.names[i].c_str(), map.zones[i].reduced ? ", light and dark" : "");
     }
+    map.texels = std::move(zones.texels), map.names = std::move(zones.names);  // which keep their addresses
+    return map;
 }
 
 }  // namespace cli

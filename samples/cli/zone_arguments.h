@@ -1,6 +1,8 @@
 // The options that give a character zones: painted by hand in a picture, or proposed from the texture's colours.
 #pragma once
 
+#include <claque/zones.h>
+
 #include <string>
 #include <vector>
 
@@ -22,7 +24,16 @@ struct ZoneArguments {
 
 void add_zone_options(CLI::App &command, ZoneArguments &arguments);
 
-// Applies the arguments and reports the resulting zones on standard error. Throws Failure.
-void give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &arguments);
+// A zone map and what it points to.
+struct ZoneMap {
+    std::vector<uint16_t> texels;
+    std::vector<std::string> names;
+    std::vector<clq_zone_map_zone> zones;
+    clq_zone_map_def def = clq_zone_map_def_init();
+    const clq_zone_map_def *given() const { return zones.empty() ? nullptr : &def; }
+};
+
+// Applies the arguments, reports the resulting zones on standard error and returns the map. Throws Failure.
+ZoneMap give_zones(scenes::Library &library, clq_asset *asset, const ZoneArguments &arguments);
 
 }  // namespace cli

@@ -181,7 +181,7 @@ TEST_F(Clips, OptionsThatDoNotGoTogetherAreCode2)
     EXPECT_EQ(usage({"citizen", "--clips", bvh, "--rate", "0.5"}), 2);
     EXPECT_EQ(usage({"citizen", "--clips", bvh, "--close", "-1"}), 2);
     EXPECT_EQ(usage({"citizen", "--unit", "0"}), 2);
-    EXPECT_EQ(usage({"citizen", "--vary", "18"}), 2) << "it has more of its own";
+    EXPECT_EQ(usage({"citizen", "--vary", "22"}), 2) << "it has more of its own";
     EXPECT_EQ(usage({"citizen", "--vary", "2001"}), 2);
     EXPECT_EQ(claque({"render", "--clips", bvh, "--out", path("x.png")}).code, 2) << "nobody to give them to";
 }
@@ -192,6 +192,28 @@ TEST_F(Clips, AMotionFileAloneIsASkeletonWithoutAnythingToSplit)
     EXPECT_EQ(alone["loaded"]["nodes"].get<int>(), 3) << "two joints and an end";
     EXPECT_EQ(alone["loaded"]["clips"].size(), 1u);
     EXPECT_TRUE(alone.contains("not_split"));
+}
+
+// The least that the help names is the number of a person's own clips.
+TEST_F(Clips, OfAPersonCanBeVariedFromAsManyAsItHas)
+{
+    const std::string help = claque({"prepare", "--help"}).out;
+    const size_t at = help.find("--vary");
+    ASSERT_NE(at, std::string::npos) << help;
+    const size_t first = help.find('[', at) + 1;
+    const std::string least = help.substr(first, help.find(' ', first) - first);
+    for (const char *person : {"citizen", "patrician", "decurion", "plebeian"}) {
+        EXPECT_EQ(std::to_string(report({person})["split"]["clips"].size()), least) << person;
+        EXPECT_EQ(report({person, "--vary", least})["split"]["clips"].size(), std::stoul(least)) << person;
+    }
+}
+
+TEST_F(Clips, AFileWithoutAMeshHasNoPositionsToDump)
+{
+    const Outcome outcome = claque({"dump", path("bow.bvh"), "--out", path("p.npy")});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("bow.bvh has no mesh, so there are no positions to write: --clips"), std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(Clips, AHundredAndFiftyTakeASmallPartOfTheMeshesThatTheyMove)

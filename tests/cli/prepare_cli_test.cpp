@@ -1,6 +1,7 @@
 // prepare: zones for characters that have none, proposed and painted.
 #include "tests/cli/picture.h"
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -27,6 +28,29 @@ TEST_F(Prepare, AProposedMapGivenBackAsAPaintedOneMakesTheSameZones)
     EXPECT_NE(before.find("light"), std::string::npos);
     const auto counts = [](const std::string &said) { return said.substr(0, said.find("zones ") + 13); };
     EXPECT_EQ(counts(split.out), counts(before)) << "triangles, clean, dirty and the number of zones";
+}
+
+// Levels are those of the character with these zones; the second time they come from the cache folder.
+TEST_F(Prepare, MakesLevelsOfACharacterWithPaintedZonesAndKeepsThem)
+{
+    setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
+    const std::vector<std::string> command = {
+        "prepare", written::path_of("WrittenPerson.glb", ""), "--propose", "3", "--lod", "on", "--out"};
+    std::string made[2];
+    for (const char *name : {"a.clq", "b.clq"}) {
+        std::vector<std::string> words = command;
+        words.push_back(path(name));
+        const Outcome outcome = claque(words);
+        ASSERT_EQ(outcome.code, 0) << outcome.err;
+        EXPECT_EQ(outcome.err.find("making levels"), std::string::npos) << "progress in a pipe";
+        made[name[0] - 'a'] = file_text(path(name));
+    }
+    EXPECT_EQ(made[0], made[1]);
+    EXPECT_EQ(contents("cache/claque").size(), 1u);
+    const Outcome plain = claque({"prepare", command[1], "--propose", "3", "--out", path("c.clq")});
+    ASSERT_EQ(plain.code, 0) << plain.err;
+    EXPECT_LT(file_text(path("c.clq")).size(), made[0].size()) << "the finest level alone";
+    EXPECT_EQ(claque({"split", path("a.clq")}).out, claque({"split", path("c.clq")}).out) << "the finest level's zones";
 }
 
 TEST_F(Prepare, NamesWhatIsWrongWithItsOptions)

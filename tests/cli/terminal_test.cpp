@@ -1,7 +1,11 @@
 // Control characters in names that files give never reach a terminal: they are shown, and letters stay as they are.
+#include <cstdlib>
+#include <fcntl.h>
 #include <fstream>
+#include <unistd.h>
 
 #include "tests/cli/run.h"
+#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -84,6 +88,34 @@ TEST_F(Terminal, GetsTheBytesOfAPicture)
     ASSERT_EQ(file.code, 0) << file.err;
     ASSERT_EQ(piped.code, 0) << piped.err;
     EXPECT_TRUE(piped.out == file_text(path("d.npy")));
+}
+
+// Levels take seconds: a terminal is told so, and for how long already.
+TEST_F(Terminal, IsToldThatLevelsAreMade)
+{
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_GE(terminal, 0);
+    ASSERT_EQ(grantpt(terminal) + unlockpt(terminal), 0);
+    const std::string name = ptsname(terminal);
+    const int held = open(name.c_str(), O_RDWR | O_NOCTTY);  // what is written stays until it is read
+    ASSERT_GE(held, 0);
+    const auto lods = [&](const std::string &errors) {
+        return run_program({"sh", "-c",
+                            CLAQUE_COMMAND " lods " + written::path_of("WrittenPerson.glb", "") +
+                                " --targets 300 --json 2> " + errors});
+    };
+    const Outcome shown = lods(name);
+    EXPECT_EQ(shown.code, 0);
+    std::string text(4096, '\0');
+    const ssize_t size = read(terminal, text.data(), text.size());
+    text.resize(size > 0 ? static_cast<size_t>(size) : 0);
+    close(held), close(terminal);
+    EXPECT_NE(text.find("claque: making levels of detail of "), std::string::npos) << text;
+    EXPECT_NE(text.find("WrittenPerson.glb, 0 s"), std::string::npos) << text;
+    EXPECT_EQ(text.substr(text.size() < 4 ? 0 : text.size() - 4), "\r\033[K") << "the line is empty at the end";
+    EXPECT_EQ(shown.out.find("making levels"), std::string::npos);
+    EXPECT_EQ(lods(path("errors")).out, shown.out);
+    EXPECT_EQ(file_text(path("errors")), "");
 }
 
 }  // namespace
