@@ -1,7 +1,6 @@
 // prepare: zones for characters that have none, proposed and painted.
 #include "tests/cli/picture.h"
 #include "tests/cli/run.h"
-#include "tests/support/written_characters.h"
 
 namespace cli_test
 {
@@ -34,8 +33,7 @@ TEST_F(Prepare, AProposedMapGivenBackAsAPaintedOneMakesTheSameZones)
 TEST_F(Prepare, MakesLevelsOfACharacterWithPaintedZonesAndKeepsThem)
 {
     setenv("XDG_CACHE_HOME", path("cache").c_str(), 1);
-    const std::vector<std::string> command = {
-        "prepare", written::path_of("WrittenPerson.glb", ""), "--propose", "3", "--lod", "on", "--out"};
+    const std::vector<std::string> command = {"prepare", "citizen", "--propose", "3", "--lod", "on", "--out"};
     std::string made[2];
     for (const char *name : {"a.clq", "b.clq"}) {
         std::vector<std::string> words = command;
