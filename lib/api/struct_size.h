@@ -2,6 +2,7 @@
 #pragma once
 
 #include <claque/crowd.h>
+#include <claque/mesh.h>
 #include <claque/record.h>
 
 #include <cstddef>
@@ -29,6 +30,12 @@ struct EarlierSizes<clq_crowd_def> {
 template <>
 struct EarlierSizes<clq_record_info> {
     static constexpr uint32_t sizes[] = {offsetof(clq_record_info, read_bytes)};
+};
+
+// From 0.3 on it has unlit and emission.
+template <>
+struct EarlierSizes<clq_triangles> {
+    static constexpr uint32_t sizes[] = {offsetof(clq_triangles, unlit)};
 };
 
 template <class Struct>

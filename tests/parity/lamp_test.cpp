@@ -9,8 +9,6 @@ namespace parity_test
 namespace
 {
 
-constexpr PeerOptions zone_by_zone = {Limiting::zones, 0};
-
 // Four plates side by side.
 std::string lamp()
 {
@@ -46,7 +44,7 @@ protected:
 
 TEST_F(Lamp, IsShownByAPeerAsItIsExported)
 {
-    EXPECT_EQ(broken(draw(scene(), zone_by_zone), "gpu"), "");
+    EXPECT_EQ(broken(draw(scene(), {Limiting::zones, 0}), "gpu"), "");
     EXPECT_EQ(std::count_if(scene().materials.begin(), scene().materials.end(),
                             [](const Material &material) { return material.unlit; }),
               1);
@@ -60,7 +58,7 @@ TEST_F(Lamp, LeftOutOfLightIsCaught)
             if (emission) material.emission = {};
             else material.unlit = false;
         }
-        EXPECT_NE(broken(draw(changed, zone_by_zone), "gpu").find("colour."), std::string::npos) << emission;
+        EXPECT_NE(broken(draw(changed, {Limiting::zones, 0}), "gpu").find("colour."), std::string::npos) << emission;
     }
 }
 
