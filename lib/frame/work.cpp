@@ -134,7 +134,7 @@ void Work::reserve_candidates(const crowd::Crowd &crowd, base::Span<View *const>
 
 void Work::begin(const crowd::Crowd &crowd)
 {
-    can_undo = may_throw(crowd);
+    const bool can_undo = may_throw(crowd);
     last.layers.swap(layers);
     last.dofs.swap(dofs);
     if (can_undo) {

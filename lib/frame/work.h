@@ -76,7 +76,6 @@ struct Work {
         Stats stats;
         uint64_t live_since = 0;
     } last;
-    bool can_undo = false;  // the present update
 };
 
 }  // namespace claque::frame
