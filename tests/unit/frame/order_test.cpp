@@ -66,8 +66,10 @@ TEST(Order, IsWhatComparingOneByOneMakes)
 {
     for (const uint32_t row_step : {1u, 7919u, 524287u})
         for (const uint32_t count : {1u, 2u, 100u, 5000u}) {
-            const std::pmr::vector<SortEntry> listed = many(count, row_step);
+            std::pmr::vector<SortEntry> listed = many(count, row_step);
             EXPECT_EQ(ordered(listed), rows_of(compared(listed))) << count << " with rows by " << row_step;
+            std::reverse(listed.begin(), listed.end());
+            EXPECT_EQ(ordered(listed), rows_of(compared(listed))) << count << " with rows by " << row_step << " back";
         }
 }
 
