@@ -26,6 +26,15 @@ void add_placement_options(CLI::App &command, scenes::Placement &placement)
         command.add_option("--scale", placement.scale, "Multiply the size of the characters of files")
             ->check(CLI::Range(1e-6, 1e6))
             ->excludes(height);
+    command
+        .add_option_function<std::string>(
+            "--blend",
+            [&placement](const std::string &text) {
+                placement.blend = text == "opaque" ? CLQ_BLEND_OPAQUE : CLQ_BLEND_MASK;
+            },
+            "Draw materials of files that blend where their alpha is 0.5 and more (mask, the default), or all of them "
+            "(opaque)")
+        ->check(CLI::IsMember({"mask", "opaque"}));
 }
 
 void expect_files(const std::vector<scenes::SocialClass> &characters, const scenes::Placement &placement)

@@ -1,4 +1,4 @@
-// The options by which commands read the file of a character: --hide, --turn, --height, --scale.
+// The options by which commands read the file of a character: --hide, --turn, --height, --scale, --blend.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ struct FileArguments {
     scenes::Placement placement;
 };
 
-// All four. A command that has a --scale of its own keeps it, and calls this afterwards.
+// All of them. A command that has a --scale of its own keeps it, and calls this afterwards.
 void add_file_options(CLI::App &command, FileArguments &arguments);
 // All but --hide.
 void add_placement_options(CLI::App &command, scenes::Placement &placement);

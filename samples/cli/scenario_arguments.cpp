@@ -34,8 +34,10 @@ void read_scenario(SceneArguments &a)
     if (a.scenario.empty()) return;
     auto described = std::make_shared<scenes::Scenario>(scenes::load_scenario(a.scenario, a.mechanisms));
     // For characters of files whose class does not say it.
-    for (scenes::SocialClass &one : described->characters)
+    for (scenes::SocialClass &one : described->characters) {
         if (scenes::is_file(one.character) && !one.placement.any()) one.placement = a.of_file.placement;
+        one.placement.blend = a.of_file.placement.blend;
+    }
     expect_files(described->characters, a.of_file.placement);
     a.described = described;
 }

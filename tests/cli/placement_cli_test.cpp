@@ -1,9 +1,10 @@
-// --turn, --height, --scale and --legs of commands that load characters, and the same keys of scenarios.
+// --turn, --height, --scale, --blend and --legs of commands that load characters, and the same keys of scenarios.
 #include <cmath>
 #include <cstring>
 #include <fstream>
 
 #include "tests/cli/run.h"
+#include "tests/support/gltf_maker.h"
 #include "tests/support/walking_figure.h"
 
 namespace cli_test
@@ -83,6 +84,30 @@ TEST_F(PlacementOptions, TurnAndSizeTheCharacterOfAFile)
         low = std::min(low, double(tall[i + 1])), high = std::max(high, double(tall[i + 1]));
     }
     EXPECT_NEAR(high - low, 2.5, 1e-5);
+}
+
+TEST_F(PlacementOptions, SayWhatBecomesOfMaterialsThatBlend)
+{
+    using GltfJson = claque::testing::Json;
+    claque::testing::Maker maker;
+    maker.triangle();
+    maker.primitive()["material"] = 0;
+    const GltfJson alpha = {{"baseColorFactor", {1, 1, 1, 0.4}}};
+    maker.add("materials", {{"name", "visor"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", alpha}});
+    const claque::testing::Bytes bytes = maker.glb();
+    std::ofstream(path("visor.glb"), std::ios::binary)
+        .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    const auto inspected = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {"inspect", path("visor.glb")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = claque(arguments);
+        return outcome.out + outcome.err;
+    };
+    const std::string left_out = "'visor' is transparent: left out", opaque = "'visor' is transparent: drawn opaque";
+    EXPECT_NE(inspected({}).find(left_out), std::string::npos);
+    EXPECT_NE(inspected({"--blend", "mask"}).find(left_out), std::string::npos);
+    EXPECT_NE(inspected({"--blend", "opaque"}).find(opaque), std::string::npos);
+    EXPECT_NE(inspected({"--blend", "add"}).find("--blend"), std::string::npos);
 }
 
 TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
