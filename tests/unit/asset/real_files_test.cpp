@@ -74,9 +74,11 @@ TEST(RealFiles, NearestVerticesAreThoseOfASearchThroughAll)
 {
     std::vector<glm::vec3> positions;
     std::vector<uint32_t> among;
+    uint32_t random = 1;
     for (uint32_t i = 0; i < 500; ++i) {
-        const auto coordinate = [i](uint32_t of) { return float((i * 7919 * of + 13 * of) % 101); };
-        positions.emplace_back(coordinate(1), coordinate(3), coordinate(7));
+        const auto coordinate = [&] { return float((random = random * 1664525 + 1013904223) >> 12); };
+        const float x = coordinate(), y = coordinate();
+        positions.emplace_back(x, y, coordinate());
         if (i % 3) among.push_back(i);
     }
     const asset::NearestVertex nearest(positions, among);
