@@ -55,7 +55,9 @@ protected:
         setenv("XDG_CACHE_HOME", cache_.c_str(), 1);
         clq_context_def def = clq_context_def_init();
         def.log.user = &log_;
-        def.log.write = [](void *user, clq_log_level, const char *text) { *static_cast<std::string *>(user) += text; };
+        def.log.write = [](void *user, clq_log_level level, const char *text) {
+            if (level == CLQ_LOG_WARNING) *static_cast<std::string *>(user) += text;
+        };
         ASSERT_EQ(clq_context_create(&def, &context_), CLQ_OK);
     }
     void TearDown() override
