@@ -108,4 +108,36 @@ TEST(Spheres, OfSimilaritiesHoldTheirParts)
     for (const uint32_t parts : {1u, 2u, 5u}) expect_found(parts, true);
 }
 
+// A plane that misses the smallest ball round both balls of a part by three thousandths of its radius hides the part.
+TEST(Spheres, OfSimilaritiesAreNoLargerThanTheyNeedToBe)
+{
+    Numbers random{7};
+    for (const uint32_t parts : {1u, 3u})
+        for (int i = 0; i < 300; ++i) {
+            const Body body(parts, true, random);
+            const model::Level &level = body.tmpl.levels[0];
+            for (uint32_t part = 0; part < parts; ++part) {
+                glm::dvec3 centres[2];
+                double radii[2];
+                for (uint32_t k = 0; k < 2; ++k) {
+                    const model::PartSphere &sphere = level.part_spheres[2 * part + k];
+                    const math::Affine &m = body.palette[sphere.entry];
+                    centres[k] = glm::dvec3(math::transform_point(m, sphere.bind.centre));
+                    radii[k] = double(sphere.bind.radius) * glm::length(glm::dvec3(m.column(0)));
+                }
+                const double apart = glm::length(centres[1] - centres[0]);
+                const double radius = std::max({radii[0], radii[1], (apart + radii[0] + radii[1]) / 2});
+                const double part_of_way = std::clamp((radius - radii[0]) / apart, 0.0, 1.0);
+                const glm::dvec3 centre = centres[0] + part_of_way * (centres[1] - centres[0]);
+                const glm::dvec3 along = glm::normalize(random.vector(1));
+                math::Frustum frustum;
+                frustum.count = 1;
+                frustum.planes[0] = {along, -glm::dot(along, centre) - 1.003 * radius};
+                const frame::ToFrustum to{glm::dmat3(1), glm::dvec3(0), 1};
+                const uint64_t seen = frame::parts_in_view(body.tmpl, level, body.palette.data(), to, frustum).parts;
+                EXPECT_FALSE(seen >> part & 1) << part << " of " << parts << ", body " << i;
+            }
+        }
+}
+
 }  // namespace

@@ -123,15 +123,15 @@ TEST_F(StepsTest, StepsThatReadMotionsNeedThatOfEveryActorOnATrack)
 TEST_F(StepsTest, ListCandidatesNeedsAllThatAreTestedAndRoomForAllThatPassed)
 {
     const base::Span<const uint32_t> tested(work_.tested.data(), rows_);
-    for (uint32_t i = 0; i < rows_; ++i) work_.passed[i] = i % 2;
+    for (uint32_t i = 0; i < rows_; ++i) work_.passed[i] = i % 4 == 1;
     const auto step = [&](size_t passed, size_t candidates) {
         const base::Span<const uint8_t> let_through(work_.passed.data(), static_cast<uint32_t>(passed));
         return ListCandidates{given_,     tested, let_through, rows_, work_.seen, cut(work_.candidates, candidates),
                               work_.stats};
     };
-    fits(step(rows_, rows_ / 2));
-    is_refused(step(rows_ - 1, rows_ / 2), "not all that are tested were culled");
-    is_refused(step(rows_, rows_ / 2 - 1), "no room for all that passed");
+    fits(step(rows_, rows_ / 4));
+    is_refused(step(rows_ - 1, rows_ / 4), "not all that are tested were culled");
+    is_refused(step(rows_, rows_ / 4 - 1), "no room for all that passed");
 }
 
 TEST_F(StepsTest, PlaceRootsNeedsRowsThatExist)
