@@ -1,12 +1,16 @@
 #include "lib/model/limb_names.h"
 
-#include <cctype>
-
 namespace claque::model
 {
 
 namespace
 {
+
+// ASCII, whatever the host's locale is.
+bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
+bool is_alnum(char c) { return is_upper(c) || is_lower(c) || (c >= '0' && c <= '9'); }
+char lower(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
 
 // 0 thigh, 1 shin, 2 foot, 3 toes; none: another part, or a control that is no bone of the leg.
 uint32_t part_of(std::string_view plain)
@@ -26,8 +30,7 @@ std::pmr::string plain_name(std::string_view name, std::pmr::memory_resource *me
     std::pmr::string out(memory);
     for (const char c : name) {
         if (c == ':') out.clear();
-        else if (std::isalnum(static_cast<unsigned char>(c)))
-            out.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
+        else if (is_alnum(c)) out.push_back(lower(c));
     }
     return out;
 }
@@ -38,7 +41,7 @@ Side side_of(std::string_view name, std::string_view plain)
 {
     if (has(plain, "left")) return Side::left;
     if (has(plain, "right")) return Side::right;
-    const auto is_separator = [](char c) { return !std::isalnum(static_cast<unsigned char>(c)); };
+    const auto is_separator = [](char c) { return !is_alnum(c); };
     for (size_t i = 0; i < name.size(); ++i) {
         const bool begins = i == 0 || is_separator(name[i - 1]),
                    ends = i + 1 == name.size() || is_separator(name[i + 1]);
@@ -47,7 +50,7 @@ Side side_of(std::string_view name, std::string_view plain)
         if (name[i] == 'r' || name[i] == 'R') return Side::right;
     }
     // Some writers drop the separator: FootL.
-    if (name.size() > 1 && std::islower(static_cast<unsigned char>(name[name.size() - 2]))) {
+    if (name.size() > 1 && is_lower(name[name.size() - 2])) {
         if (name.back() == 'L') return Side::left;
         if (name.back() == 'R') return Side::right;
     }

@@ -4,9 +4,13 @@
 #include <map>
 #include <string_view>
 
+#include "lib/model/limb_names.h"
+
 namespace claque::retarget
 {
 
+using model::has;
+using model::is_below;
 using model::none;
 
 namespace
@@ -17,41 +21,21 @@ struct Body {
     std::vector<uint32_t> spine, neck;      // upwards
 };
 
-bool has(std::string_view text, std::string_view part) { return text.find(part) != std::string_view::npos; }
 bool ends(std::string_view text, std::string_view part)
 {
     return text.size() >= part.size() && text.substr(text.size() - part.size()) == part;
 }
 
-// Of ASCII, whatever the host's locale is.
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
-bool is_alnum(char c) { return is_upper(c) || is_lower(c) || (c >= '0' && c <= '9'); }
-char lower(char c) { return is_upper(c) ? static_cast<char>(c - 'A' + 'a') : c; }
-
-// Lower case without separators, and without what stands before a colon.
 std::string plain(std::string_view name)
 {
-    std::string out;
-    for (const char c : name)
-        if (c == ':') out.clear();
-        else if (is_alnum(c)) out.push_back(lower(c));
-    return out;
+    return std::string(model::plain_name(name, std::pmr::get_default_resource()));
 }
 
-// "left", "right" or "". A side is a word ("LeftFoot") or a letter that stands alone ("foot.L", "l_foot", "FootL").
+// "left", "right" or "".
 std::string side_of(std::string_view name, std::string_view plain_name)
 {
-    if (has(plain_name, "left")) return "left";
-    if (has(plain_name, "right")) return "right";
-    for (size_t i = 0; i < name.size(); ++i) {
-        const char c = lower(name[i]);
-        if (c != 'l' && c != 'r') continue;
-        const bool last = i + 1 == name.size();
-        const bool begins = i == 0 || !is_alnum(name[i - 1]) || (last && is_upper(name[i]) && is_lower(name[i - 1]));
-        if (begins && (last || !is_alnum(name[i + 1]))) return c == 'l' ? "left" : "right";
-    }
-    return "";
+    const model::Side side = model::side_of(name, plain_name);
+    return side == model::Side::left ? "left" : side == model::Side::right ? "right" : "";
 }
 
 bool has_any(std::string_view text, std::initializer_list<const char *> parts)
@@ -76,12 +60,6 @@ std::string limb_of(std::string_view p)
     if (p == "leftleg" || p == "rightleg" || p == "legl" || p == "legr") return "LowerLeg";  // as Mixamo
     if (p == "leftarm" || p == "rightarm" || p == "arml" || p == "armr") return "UpperArm";
     return "";
-}
-
-bool is_below(const model::Rig &rig, uint32_t node, uint32_t above)
-{
-    while (node != none && node != above) node = rig.parents[node];
-    return node == above;
 }
 
 void add_middle(const model::Rig &rig, uint32_t node, std::string_view p, Body &body)
