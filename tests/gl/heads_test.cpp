@@ -143,15 +143,15 @@ protected:
         return worst;
     }
 
-    // Down to where a character is 80 pixels long, below which its shape alone counts (docs/levels.md), and not so near
-    // that the eye is in the head.
+    // Where a character is 90 pixels long or more, as its shape alone counts farther away (docs/levels.md), and not so
+    // near that the eye is in the head.
     void expect_faces(double most)
     {
         uint32_t seen = 0;
         for (uint32_t level = 1; level < tmpl_->levels.size(); ++level) {
             const double distance_m = double(tmpl_->levels[level].switch_distance_m);
             if (distance_m < 4 * head_.half) continue;
-            if (80 * distance_m * 2 * std::sqrt(1.0 / 3) / 768 > 0.98 * report_[level].deviation.look.longest_m) break;
+            if (90 * report_[level].error_m > report_[level].deviation.look.longest_m) break;
             EXPECT_LE(excess(level, distance_m), most)
                 << report_[level].triangles << " triangles from " << distance_m << " m";
             ++seen;

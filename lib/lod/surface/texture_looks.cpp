@@ -175,7 +175,9 @@ double LookDifference::hidden_by(double shape_m) const
     for (; first + 1 < size_count && size < shape_m; size *= 2) ++first;
     size_t k = first;
     for (; k + 1 < size_count && k < first + max_doublings && colours[k] > max_difference; ++k) pixel = size *= 2;
-    return std::max(shape_m, std::min(pixel * factors[k], longest_m / small));
+    // The last tenth of the way keeps levels in the order of their shapes.
+    const double most = longest_m / small, last = 0.9 * most + 0.1 * std::min(shape_m, most);
+    return std::max(shape_m, std::min(pixel * factors[k], last));
 }
 
 LookDifference TextureLooks::difference(const PosedParts &source, const PosedParts &level,

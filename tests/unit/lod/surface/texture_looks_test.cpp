@@ -153,13 +153,21 @@ TEST(TextureLooks, MakeAnErrorOfTheShapeMoreVisibleUntilTheCharacterIsSmall)
     found.longest_m = 1.6;
     found.colours.fill(0.05), found.factors.fill(2);
     EXPECT_DOUBLE_EQ(found.hidden_by(0.002), 0.004);
-    EXPECT_DOUBLE_EQ(found.hidden_by(0.015), 0.02) << "1.6 m are 80 such pixels";
-    EXPECT_DOUBLE_EQ(found.hidden_by(0.03), 0.03);
+    EXPECT_DOUBLE_EQ(found.hidden_by(0.015), 0.0195) << "nearly 0.02 m, of which 1.6 m are 80";
+    double before = 0;
+    for (double shape_m = 1e-4; shape_m < 0.05; shape_m *= 1.1) {
+        EXPECT_GT(found.hidden_by(shape_m), before);
+        before = found.hidden_by(shape_m);
+        if (shape_m > 0.02) EXPECT_DOUBLE_EQ(before, shape_m);
+        else EXPECT_LE(before, 0.02);
+    }
     // Of other colours than the source's up to pixels of 1.6 m / 512.
     found.factors.fill(1);
     for (size_t k = 0; k < 3; ++k) found.colours[k] = 0.5;
     EXPECT_DOUBLE_EQ(found.hidden_by(0), 1.6 / 512);
     EXPECT_DOUBLE_EQ(found.hidden_by(0.004), 0.004);
+    found.colours.fill(0.9), found.factors.fill(9);
+    for (const double shape_m : {0.021, 0.03, 0.2}) EXPECT_DOUBLE_EQ(found.hidden_by(shape_m), shape_m);
 }
 
 // A flat sheet loses nothing of its shape, and its texture all the more.
