@@ -96,7 +96,9 @@ void add_instances(File &file, NodeTree &tree)
         }
         const Instances instances(file, extension["attributes"]);
         if (instances.count() == 0) continue;
-        file.budget.charge(instances.count() * sizeof(FileNode), extension.path().c_str());
+        const size_t weights = tree.nodes[i].morph_weights.size() * sizeof(tree.nodes[i].morph_weights[0]);
+        const size_t bytes = sizeof(FileNode) + tree.nodes[i].name.size() + weights;
+        file.budget.charge(instances.count() * bytes, extension.path().c_str());
         tree.nodes[i].is_instanced = true;
         for (size_t k = 0; k < instances.count(); ++k) {
             tree.nodes[i].children.push_back(static_cast<uint32_t>(tree.nodes.size()));

@@ -184,10 +184,12 @@ void add_asset_questions(std::vector<Call> &all)
                        clq_asset_part part = clq_asset_part_init();
                        return clq_asset_get_part(w.person, 0, &part);
                    }});
-    all.push_back({"clq_asset_get_node", [](W w) {
+    all.push_back({"clq_asset_get_node",
+                   [](W w) {
                        clq_asset_node node = clq_asset_node_init();
                        return clq_asset_get_node(w.person, 0, &node);
-                   }});
+                   },
+                   quiet});
     all.push_back({"clq_asset_get_clip",
                    [](W w) {
                        clq_clip_info clip = clq_clip_info_init();

@@ -152,5 +152,16 @@ TEST(Instances, MoreThanTheFileJustifiesAreRefused)
     EXPECT_EQ(outcome_of(maker.glb()).status, CLQ_LIMIT);
 }
 
+TEST(Instances, OfALongNameAreRefusedBeforeItIsCopied)
+{
+    Maker maker = lamp_file();
+    maker.json["nodes"][0]["name"] = std::string(60000, 'n');
+    maker.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"]["TRANSLATION"] =
+        maker.floats("VEC3", 20000, std::vector<float>(60000, 0));
+    const Outcome outcome = outcome_of(maker.glb());
+    EXPECT_EQ(outcome.status, CLQ_LIMIT);
+    EXPECT_NE(outcome.text.find("EXT_mesh_gpu_instancing"), std::string::npos) << outcome.text;
+}
+
 }  // namespace
 }  // namespace claque::testing
