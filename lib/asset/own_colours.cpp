@@ -108,14 +108,32 @@ HsbRange own_range(Role role, const model::Zone &zone, const ZoneLook &look)
     return colours_itself ? range_of(role, c, is_human) : tint_of(role, c, is_human);
 }
 
+bool is_fixed(const HsbRange &r)
+{
+    return r.hue_min_deg == r.hue_max_deg && r.saturation_min == r.saturation_max &&
+           r.brightness_min == r.brightness_max;
+}
+
 bool takes_part_in_skin(Role role) { return role == Role::skin || role == Role::figure || role == Role::lips; }
+
+// Whether head or hands are of a skin's colour there: sleeves may cover hands, too.
+bool shows_skin(const model::Zone &zone, const ZoneLook &look)
+{
+    for (const Place place : {Place::head, Place::hands})
+        if (look.at(place) > 0 && is_human_skin(seen_colour(zone, look.mean(place)))) return true;
+    return false;
+}
 
 // Materials of one colour that show skin share a zone: the first that is named so. A figure among them decides how far
 // it varies.
-void join_skins(model::Model &model, std::vector<bool> &open, std::vector<Role> &roles)
+void join_skins(model::Model &model, const std::vector<ZoneLook> &looks, std::vector<bool> &open,
+                std::vector<Role> &roles)
 {
     const std::vector<bool> of_materials = material_zones(model);
-    const auto joins = [&](size_t z) { return open[z] && of_materials[z] && takes_part_in_skin(roles[z]); };
+    const auto joins = [&](size_t z) {
+        return open[z] && of_materials[z] && takes_part_in_skin(roles[z]) &&
+               (roles[z] != Role::figure || shows_skin(model.zones[z], looks[z]));
+    };
     size_t first = none;
     for (const bool named : {true, false})
         for (size_t z = 0; z < roles.size() && first == none; ++z)
@@ -143,15 +161,16 @@ std::vector<bool> material_zones(const model::Model &model)
 {
     std::vector<bool> out(model.zones.size());
     for (const model::Material &material : model.materials)
-        if (material.zone != none) out[material.zone] = true;
+        if (material.zone != none) out[material.zone] = !is_fixed(model.zones[material.zone].range);  // a lamp's is
     return out;
 }
 
 void keep_own_colours(model::Model &model, std::vector<bool> open)
 {
     if (std::find(open.begin(), open.end(), true) == open.end()) return;
-    std::vector<Role> roles = roles_of(model, looks_of(model));
-    join_skins(model, open, roles);
+    const std::vector<ZoneLook> apart = looks_of(model);
+    std::vector<Role> roles = roles_of(model, apart);
+    join_skins(model, apart, open, roles);
     const std::vector<ZoneLook> looks = looks_of(model);
     std::vector<size_t> skins;
     for (size_t z = 0; z < roles.size(); ++z)

@@ -2,6 +2,7 @@
 // none.
 #include <claque/assets.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 
@@ -76,7 +77,10 @@ protected:
         options.base_folder = std::filesystem::path(path).parent_path().string();
         model::Model model = asset::load_gltf(file.data(), file.size(), options);
         if (model.name.empty()) model.name = std::filesystem::path(path).stem().string();
-        EXPECT_TRUE(bytes == of_arrays(model)) << name;
+        // Arrays of hosts have neither emission nor materials without lighting.
+        const bool is_lit = std::all_of(model.materials.begin(), model.materials.end(),
+                                        [](const model::Material &one) { return one.lighting == model::Lighting(); });
+        EXPECT_EQ(bytes == of_arrays(model), is_lit) << name;
     }
 
     clq_context *context_ = nullptr;

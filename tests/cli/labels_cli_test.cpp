@@ -244,7 +244,7 @@ TEST_F(VariedLabels, RefuseRulesThatASceneCannotFollow)
     refused("[people]\nclasses = { senators = 1 }", {"--scene", "odeon"},
             "2:24: the scene 'odeon' has no class 'senators'; there are: decurions, patricians, plebeians");
     refused("[people]\nclasses = { senators = 1 }", {"--scene", "plaza"},
-            "2:24: the scene 'plaza' has no classes of people");
+            "2:24: the scene 'plaza' has no class 'senators'; there are none");
     refused("[light]\nsun = 0.5", {"--scene", "vehicle"},
             "2:7: the scene 'vehicle' has light of its own, which no rule changes");
     refused("[light]\nsky = 0.5", {"--scenario", std::string(CLAQUE_SOURCE_DIR) + "/samples/scenarios/market.toml"},

@@ -119,6 +119,7 @@ constexpr const char *name_nothing_read =
     "--phases --height --memory --seconds --plot --clip --targets --proxy-max-triangles --compare --record "
     "--texture --texture-set --scale --class --image --propose --zone --reduce --zones-out --texture-size --html "
     "--pixels-per-degree --write --serve --rates --shots --at --commands --apart --in-turn --live --draw --stall "
-    "--vary --tolerance --picture --allow-mechanisms --origin";
+    "--vary --tolerance --picture --allow-mechanisms --origin --quiet --turn --blend --legs --torso --neck --head "
+    "--nodes --colours";
 
 }  // namespace cli_test

@@ -206,7 +206,7 @@ TEST_P(RenderOf, ACharacterOfAFileIsDrawn)
 {
     const std::string file = written::path_of(GetParam(), CLAQUE_ASSETS_DIR);
     CLAQUE_NEEDS_FILE(file);
-    render({file, "--out", path("a.png")});
+    render({file, "--quiet", "--out", path("a.png")});
     EXPECT_GT(std::filesystem::file_size(path("a.png")), 500u);
 }
 

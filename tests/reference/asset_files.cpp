@@ -40,7 +40,7 @@ constexpr std::array<Refusal, 9> refusals{{
     // Requires meshopt and WebP both; whichever is named first is right.
     {"compressed/valid-Asian_F_1_Busi.glb", no_meshopt != CLQ_OK ? no_meshopt : no_webp, "EXT_"},
     // Those that tests write: what requires an extension that claque does not know, and the same sparse indices.
-    {"WrittenInstances.glb", CLQ_UNSUPPORTED, "EXT_mesh_gpu_instancing"},
+    {"WrittenRequires.glb", CLQ_UNSUPPORTED, "EXT_structural_metadata"},
     {"WrittenRepeats.glb", CLQ_FORMAT, "sparse index"},
 }};
 

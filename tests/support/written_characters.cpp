@@ -60,7 +60,7 @@ std::vector<std::string> people()
     return {"WrittenPerson.glb", "WrittenSkins.glb", "WrittenSparse.gltf", "WrittenQuantised.glb"};
 }
 
-std::vector<std::string> refused() { return {"WrittenInstances.glb", "WrittenRepeats.glb"}; }
+std::vector<std::string> refused() { return {"WrittenRequires.glb", "WrittenRepeats.glb"}; }
 
 bool is_written(const std::string &name) { return name.rfind("Written", 0) == 0; }
 

@@ -18,7 +18,7 @@ namespace written
 // WrittenClips.glb      bones and clips of the person, no mesh
 // WrittenLines.gltf     points and lines alone
 //
-// To be refused: WrittenInstances.glb requires an extension that claque does not know; the sparse indices of
+// To be refused: WrittenRequires.glb requires an extension that claque does not know; the sparse indices of
 // WrittenRepeats.glb repeat.
 
 std::vector<std::string> files();       // all that load

@@ -6,12 +6,10 @@ namespace claque::testing
 
 WrittenFiles written_refused()
 {
-    const char *const unknown = "EXT_mesh_gpu_instancing";
-    Maker instances;
-    instances.triangle();
-    for (const char *list : {"extensionsUsed", "extensionsRequired"}) instances.json[list] = Json::array({unknown});
-    const int places = instances.floats("VEC3", 2, {0, 0, 0, 3, 0, 0});
-    instances.json["nodes"][0]["extensions"][unknown] = {{"attributes", {{"TRANSLATION", places}}}};
+    Maker requires_one;
+    requires_one.triangle();
+    for (const char *list : {"extensionsUsed", "extensionsRequired"})
+        requires_one.json[list] = Json::array({"EXT_structural_metadata"});
 
     Maker repeats;
     repeats.triangle();
@@ -19,7 +17,7 @@ WrittenFiles written_refused()
         {"count", 2},
         {"indices", {{"bufferView", repeats.view(Bytes{1, 1})}, {"componentType", u8}}},
         {"values", {{"bufferView", repeats.view(std::vector<float>{0, 0, 1, 0, 0, 2})}}}};
-    return {{"WrittenInstances.glb", instances.glb()}, {"WrittenRepeats.glb", repeats.glb()}};
+    return {{"WrittenRequires.glb", requires_one.glb()}, {"WrittenRepeats.glb", repeats.glb()}};
 }
 
 }  // namespace claque::testing

@@ -33,7 +33,9 @@ struct Case {
     {
         model::Rig source = person_off_by(0, 0), target = person_off_by(share, angle);
         add_motion(source, "dance", 5, size);
-        return retarget::add_clips(target, source, {}).mode;
+        retarget::Options options;
+        options.rest = retarget::SourceRest::file;
+        return retarget::add_clips(target, source, options).mode;
     }
 };
 
