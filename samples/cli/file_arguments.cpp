@@ -42,12 +42,12 @@ void expect_files(const std::vector<scenes::SocialClass> &characters, const scen
     for (const scenes::SocialClass &one : characters)
         if (scenes::is_file(one.character)) return;
     if (placement.any())
-        throw scenes::Failure("--turn, --height and --scale are for characters of files, and none is shown");
+        throw scenes::Failure("--turn, --height, --scale and --blend are for characters of files, and none is shown");
 }
 
 void expect_unplaced(const FileArguments &arguments, const std::string &why)
 {
-    if (arguments.placement.any()) throw scenes::Failure(why + "; --turn, --height and --scale are for files");
+    if (arguments.placement.any()) throw scenes::Failure(why + "; --turn, --height, --scale and --blend are for files");
 }
 
 }  // namespace cli

@@ -15,7 +15,7 @@ struct Placement {
     clq_blend blend = CLQ_BLEND_MASK;
 
     bool has_size() const { return height_m != 0 || scale != 0; }
-    bool any() const { return turn_deg != 0 || has_size(); }
+    bool any() const { return turn_deg != 0 || has_size() || blend != CLQ_BLEND_MASK; }
     void give(clq_asset_options &options) const
     {
         options.turn_deg = turn_deg, options.height_m = height_m, options.scale = scale, options.blend = blend;

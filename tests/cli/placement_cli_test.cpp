@@ -113,14 +113,16 @@ TEST_F(PlacementOptions, SayWhatBecomesOfMaterialsThatBlend)
 TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
 {
     EXPECT_TRUE(says(claque({"dump", "citizen", "--turn", "180", "--out", path("d.npy")}),
-                     "citizen is built in; --turn, --height and --scale are for files"));
-    const std::string none = "--turn, --height and --scale are for characters of files, and none is shown";
+                     "citizen is built in; --turn, --height, --scale and --blend are for files"));
+    EXPECT_NE(claque({"dump", "citizen", "--blend", "opaque", "--out", path("d.npy")}).code, 0);
+    const std::string none = "--turn, --height, --scale and --blend are for characters of files, and none is shown";
     EXPECT_TRUE(says(tracks({"--characters", "citizen", "--turn", "180"}), none));
     EXPECT_TRUE(says(claque({"render", "--scene", "plaza", "--turn", "180", "--out", path("s.png")}), none));
     EXPECT_NE(claque({"dump", path("back.glb"), "--height", "1", "--scale", "2", "--out", path("d.npy")}).code, 0);
     ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
-    EXPECT_TRUE(says(claque({"split", path("back.clq"), "--turn", "180"}),
-                     "back.clq is prepared already, with claque prepare; --turn, --height and --scale are for files"));
+    EXPECT_TRUE(
+        says(claque({"split", path("back.clq"), "--turn", "180"}),
+             "back.clq is prepared already, with claque prepare; --turn, --height, --scale and --blend are for files"));
 }
 
 TEST_F(PlacementOptions, RefuseAWalkerThatFacesBackAndTurnIt)
