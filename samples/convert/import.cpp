@@ -21,14 +21,21 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 
-// Files may name others.
-class RegularFiles : public Assimp::DefaultIOSystem
+// Files may name others. Assimp 6 declares its own class final.
+class RegularFiles : public Assimp::IOSystem
 {
 public:
+    bool Exists(const char *file) const override { return files_.Exists(file); }
+    char getOsSeparator() const override { return files_.getOsSeparator(); }
+    void Close(Assimp::IOStream *stream) override { files_.Close(stream); }
+    bool ComparePaths(const char *one, const char *second) const override { return files_.ComparePaths(one, second); }
     Assimp::IOStream *Open(const char *file, const char *mode) override
     {
-        return io::RegularFile(file, io::most_file_bytes).wrong().empty() ? DefaultIOSystem::Open(file, mode) : nullptr;
+        return io::RegularFile(file, io::most_file_bytes).wrong().empty() ? files_.Open(file, mode) : nullptr;
     }
+
+private:
+    Assimp::DefaultIOSystem files_;
 };
 
 void configure(Assimp::Importer &importer)
