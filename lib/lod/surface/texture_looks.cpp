@@ -19,7 +19,8 @@ constexpr double pixels = 4096;       // of the finest size along the longest si
 constexpr double small = 80;          // pixels along the longest side at which the shape alone counts
 
 // Pixels grow until colours differ by no more than this, at most so many times. A difference that is left makes an
-// error of the shape more visible, by so many times the difference.
+// error of the shape more visible, by so many times the difference. A region counts with the error of its own shape
+// where that is worse than the whole's: the hair of a head among clothes that lie well.
 constexpr double max_difference = 0.12, weight = 20;
 constexpr size_t max_doublings = 4;
 
@@ -211,13 +212,15 @@ LookDifference TextureLooks::difference(const PosedParts &source, const PosedPar
     }
     LookDifference found;
     found.longest_m = longest * metres_per_unit;
+    const double least = 1e-6 * longest;  // an equal shape is off by rounding
     for (const auto &[cell, sum] : sums) {
         if (!(sum.area > least_share * all.area)) continue;
-        const double more = all.squares > 0 ? std::sqrt(sum.squares / sum.area / (all.squares / all.area)) : 1;
+        const double more =
+            all.squares > all.area * least * least ? std::sqrt(sum.squares / sum.area / (all.squares / all.area)) : 1;
         for (size_t k = 0; k < sum.off.size(); ++k) {
             const double colours = sum.off[k] / sum.area;
             found.colours[k] = std::max(found.colours[k], colours);
-            found.factors[k] = std::max(found.factors[k], 1 + weight * colours * more);
+            found.factors[k] = std::max(found.factors[k], (1 + weight * colours * more) * std::max(more, 1.0));
         }
     }
     return found;
