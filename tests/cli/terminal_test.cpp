@@ -56,7 +56,7 @@ TEST_F(Terminal, GetsNoControlCharactersOfArguments)
 {
     for (const std::vector<std::string> &words : {std::vector<std::string>{"\x1b[2J"},
                                                   {"inspect", path("\x1b[2J.glb")},
-                                                  {"render", "--scene", "\x1b[2J"},
+                                                  {"render", "--out", path("x.png"), "--scene", "\x1b[2J"},
                                                   {"inspect", path("\x9b\xff\xc3.glb")}}) {
         const Outcome outcome = claque(words);
         EXPECT_NE(outcome.code, 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <unistd.h>
 
 #include <gtest/gtest.h>
 #include <osg/PositionAttitudeTransform>
@@ -23,7 +24,8 @@ constexpr int side_px = 256;
 class File
 {
 public:
-    File(const std::string &name, const std::string &text) : path_(testing::TempDir() + name)
+    File(const std::string &name, const std::string &text)
+        : path_(testing::TempDir() + std::to_string(getpid()) + "-" + name)
     {
         std::ofstream(path_) << text;
     }
