@@ -151,9 +151,8 @@ Converted import_file(const std::string &path, const Options &options)
         throw std::runtime_error(why.empty() ? "it finds no scene" : why);
     }
     Scene scene = {*read, options, path};
-    std::string bytes;
-    if (io::read_whole(path, bytes, io::most_file_bytes).empty())
-        for (std::string &loss : losses_in(bytes)) scene.warn(std::move(loss));
+    if (!io::read_whole(path, scene.bytes, io::most_file_bytes).empty()) scene.bytes.clear();
+    for (std::string &loss : losses_in(scene.bytes)) scene.warn(std::move(loss));
     add_materials(scene);
     add_nodes(scene);
     add_meshes(scene);

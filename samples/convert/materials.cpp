@@ -1,8 +1,10 @@
 // Assimp's materials as materials of glTF: base colour, picture, both sides.
 #include <cmath>
 
+#include <assimp/commonMetaData.h>
 #include <assimp/material.h>
 
+#include "samples/convert/fbx_bytes.h"
 #include "samples/convert/pictures.h"
 
 namespace convert
@@ -10,11 +12,32 @@ namespace convert
 namespace
 {
 
+double within_one(double channel) { return std::fmin(std::fmax(std::isfinite(channel) ? channel : 1.0, 0.0), 1.0); }
+
 // Old formats give colours as they are displayed, glTF as light.
-double linear(float displayed)
+double linear(double displayed)
 {
-    const double x = std::fmin(std::fmax(std::isfinite(displayed) ? double(displayed) : 1.0, 0.0), 1.0);
+    const double x = within_one(displayed);
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+bool is_fbx_of_blender(const aiScene &scene)
+{
+    aiString generator;
+    return scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) &&
+           std::string(generator.C_Str()).rfind("Blender (", 0) == 0;
+}
+
+// Blender's FBX has colours as light, and a diffuse factor that Blender itself does not read. Assimp multiplies by it.
+Three base_colour(const Scene &scene, const aiMaterial &from, const std::string &name)
+{
+    aiColor4D colour(0.8f, 0.8f, 0.8f, 1);  // of a material that gives none
+    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) (void)from.Get(AI_MATKEY_BASE_COLOR, colour);
+    Three out = {double(colour.r), double(colour.g), double(colour.b)};
+    const bool is_light = is_fbx_of_blender(scene.from);
+    if (is_light) (void)find_diffuse_colour(scene.bytes, name, out);
+    for (double &channel : out) channel = is_light ? within_one(channel) : linear(channel);
+    return out;
 }
 
 std::string picture_name(const aiMaterial &from)
@@ -41,11 +64,12 @@ std::optional<size_t> texture_of(Scene &scene, Pictures &pictures, const aiMater
 Json material_json(Scene &scene, Pictures &pictures, const aiMaterial &from, const std::string &name)
 {
     Json look = {{"metallicFactor", 0}};
-    aiColor4D colour(0.8f, 0.8f, 0.8f, 1);  // of a material that gives none
-    if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) (void)from.Get(AI_MATKEY_BASE_COLOR, colour);
-    if (const std::optional<size_t> texture = texture_of(scene, pictures, from, name))
+    if (const std::optional<size_t> texture = texture_of(scene, pictures, from, name)) {
         look["baseColorTexture"] = {{"index", *texture}};  // in its own colours
-    else look["baseColorFactor"] = {linear(colour.r), linear(colour.g), linear(colour.b), 1};
+    } else {
+        const Three light = base_colour(scene, from, name);
+        look["baseColorFactor"] = {light[0], light[1], light[2], 1};
+    }
     Json out = {{"name", name}, {"pbrMetallicRoughness", look}};
     int both_sides = 0;
     if (from.Get(AI_MATKEY_TWOSIDED, both_sides) == AI_SUCCESS && both_sides) out["doubleSided"] = true;

@@ -16,7 +16,8 @@ namespace convert
 struct Scene {
     const aiScene &from;
     const Options &options;
-    std::string path;  // of the file
+    std::string path;        // of the file
+    std::string bytes = {};  // of the file; empty where they cannot be read
     GlbWriter glb = {};
     std::map<const aiNode *, size_t> nodes = {};       // their index in the GLB
     std::map<std::string, const aiNode *> named = {};  // the first node of each name, parents first
