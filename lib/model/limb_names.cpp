@@ -45,9 +45,10 @@ Side side_of(std::string_view name, std::string_view plain)
     for (size_t i = 0; i < name.size(); ++i) {
         const bool begins = i == 0 || is_separator(name[i - 1]),
                    ends = i + 1 == name.size() || is_separator(name[i + 1]);
-        if (!begins || !ends) continue;
-        if (name[i] == 'l' || name[i] == 'L') return Side::left;
-        if (name[i] == 'r' || name[i] == 'R') return Side::right;
+        const bool before_word = !ends && is_lower(name[i]) && is_upper(name[i + 1]);  // Daz and Poser: lThigh
+        if (!begins || !(ends || before_word)) continue;
+        if (lower(name[i]) == 'l') return Side::left;
+        if (lower(name[i]) == 'r') return Side::right;
     }
     // Some writers drop the separator: FootL.
     if (name.size() > 1 && is_lower(name[name.size() - 2])) {

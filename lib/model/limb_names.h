@@ -1,4 +1,5 @@
-// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, KayKit, Quaternius and claque's own.
+// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, KayKit, Quaternius, Daz, Poser and
+// claque's own.
 #pragma once
 
 #include "lib/model/rig.h"
@@ -12,7 +13,8 @@ enum class Side { left, right, unknown };
 std::pmr::string plain_name(std::string_view name, std::pmr::memory_resource *memory);
 bool has(std::string_view text, std::string_view part);
 
-// A side is a word ("LeftFoot", "foot_left") or a letter between separators or at the end ("foot.L", "l_foot").
+// A side is a word ("LeftFoot", "foot_left"), a letter between separators or at the end ("foot.L", "l_foot"), or a
+// small letter before a capital one ("lFoot").
 Side side_of(std::string_view name, std::string_view plain);
 
 // Whether a node of this name moves others, or ends a chain, and is no limb itself.
@@ -20,7 +22,7 @@ bool is_control(std::string_view plain);
 
 bool is_below(const Rig &rig, uint32_t node, uint32_t above);  // or the same
 
-// Thigh, shin, foot and toes of the left and the right leg, by their names; none where there is no such node.
+// Thigh, shin, foot and toes of the left and the right leg, by their names; none where no node has one.
 void find_limbs(const Rig &rig, uint32_t (&legs)[2][4]);
 
 }  // namespace claque::model

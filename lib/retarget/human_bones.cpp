@@ -55,7 +55,7 @@ std::string limb_of(std::string_view p)
     if (has_any(p, {"foot", "ankle"})) return "Foot";
     if (has_any(p, {"clavicle", "collar", "shoulder"})) return "Shoulder";
     if (has_any(p, {"forearm", "lowerarm", "armlower", "elbow"})) return "LowerArm";
-    if (has_any(p, {"upperarm", "armupper", "uparm"})) return "UpperArm";
+    if (has_any(p, {"upperarm", "armupper", "uparm", "shldr"})) return "UpperArm";
     if (has_any(p, {"wrist", "hand", "palm"})) return "Hand";
     if (p == "leftleg" || p == "rightleg" || p == "legl" || p == "legr") return "LowerLeg";  // as Mixamo
     if (p == "leftarm" || p == "rightarm" || p == "arml" || p == "armr") return "UpperArm";

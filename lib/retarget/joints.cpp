@@ -20,6 +20,7 @@ namespace
 {
 
 constexpr size_t max_listed = 12;
+constexpr char map_helps[] = "; a joint map (--map of the command, clq_clips_def.joints) binds joints of other names";
 
 // For example "3 joints of the map not in the character: Hip ('Hips' is near), b, c". `there`: looks for near names.
 void warn(std::vector<std::string> &warnings, const std::vector<std::string> &names, const char *what,
@@ -72,6 +73,7 @@ std::vector<JointMatch> by_name(const model::Rig &target, const model::Rig &sour
         else if (moves(source, i)) lost.emplace_back(source.node_names[i].c_str());
     }
     warn(warnings, lost, "of the clips not in the character");
+    if (lost.size() > out.size()) warnings.back() += map_helps;
     return out;
 }
 
@@ -115,7 +117,7 @@ std::vector<JointMatch> match_joints(const model::Rig &target, const model::Rig 
     if (!binds(out, source))
         fail(CLQ_ARGUMENT, "none of the %zu joints of the clips is bound to any of the character's %u joints%s",
              static_cast<size_t>(source.node_count()), target.node_count(),
-             options.joints.empty() ? " (no names are equal; use a joint map)" : " by the map");
+             options.joints.empty() ? map_helps : " by the map");
     std::sort(out.begin(), out.end(), [](const JointMatch &a, const JointMatch &b) { return a.target < b.target; });
     std::vector<uint32_t> match_of(target.node_count(), none);
     for (uint32_t i = 0; i < out.size(); ++i) match_of[out[i].target] = i;

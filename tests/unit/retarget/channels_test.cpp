@@ -259,6 +259,7 @@ TEST(AddClips, ReportsUnboundJointsAndRefusesIfNoneIsBound)
 
     model::Rig stranger = rig_of({{"a", "", {0, 0, 0}}, {"b", "a", {0, 1, 0}}});
     EXPECT_NE(refusal(stranger, source, {}).find("none of the 16 joints"), std::string::npos);
+    EXPECT_NE(refusal(stranger, source, {}).find("a joint map (--map of the command"), std::string::npos);
     EXPECT_TRUE(stranger.clips.empty() && stranger.channels.empty() && stranger.values.empty());
 
     retarget::Options map;

@@ -38,7 +38,8 @@ const std::vector<std::pair<const char *, Names>> &conventions()
           "J_Bip_L_UpperLeg", "J_Bip_L_LowerLeg", "J_Bip_L_Foot"}},
         {"Biped",
          {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Head", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand",
-          "Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot"}}};
+          "Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot"}},
+        {"Poser", {"hip", "abdomen", "head", "lShldr", "lForeArm", "lHand", "lThigh", "lShin", "lFoot"}}};
     const std::vector<std::string> parts = {"hips",  "spine", "head",  "arm.", "elbow.",
                                             "hand.", "leg.",  "knee.", "foot."};
     static const std::vector<std::pair<const char *, Names>> out = [&] {
@@ -52,6 +53,7 @@ const std::vector<std::pair<const char *, Names>> &conventions()
                 const size_t word = right.find("Left"), letter = right.find_last_of("lL");
                 if (word != std::string::npos) right.replace(word, 4, "Right");
                 else if (right.find("J_Bip_L") == 0) right[6] = 'R';
+                else if (std::string(program) == "Poser") right[0] = 'r';
                 else if (right.find("Bip01 L") == 0) right[6] = 'R';
                 else if (letter != std::string::npos) right[letter] = right[letter] == 'l' ? 'r' : 'R';
                 if (i >= 3) one[parts[i] + "r"] = right;

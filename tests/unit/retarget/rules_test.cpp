@@ -111,6 +111,16 @@ TEST(RetargetRules, NameUpToTwelveJointsThatAreLost)
     }
 }
 
+TEST(RetargetRules, NameTheMapWhereMostJointsAreNotBound)
+{
+    model::Rig source = rig_of(person(1, 0)), target = rig_of(person(1, 0));
+    add_motion(source, "dance", 4, 1);
+    for (uint32_t i = 4; i < target.node_count(); ++i) target.node_names[i] = "x" + target.node_names[i];
+    const retarget::Report report = retarget::add_clips(target, source, {});
+    ASSERT_EQ(report.joint_count, 4u);
+    EXPECT_NE(report.warnings.at(0).find("; a joint map (--map of the command"), std::string::npos);
+}
+
 // A joint moves if one key of one of its channels is off its rest by more than a ten-thousandth.
 TEST(RetargetRules, MovesAreThoseOfKeysThatLeaveTheRest)
 {
