@@ -33,6 +33,15 @@ constexpr int most_attributes = 10000;  // of one element
 constexpr int64_t longest_token = 4 << 20;
 constexpr size_t xml_piece = 1 << 20;
 
+// Expat 2.9 has new names for both, and calls the old ones deprecated.
+#if XML_MAJOR_VERSION > 2 || XML_MINOR_VERSION >= 9
+int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex64(parser); }
+uint64_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber64(parser); }
+#else
+int64_t byte_of(XML_Parser parser) { return XML_GetCurrentByteIndex(parser); }
+uint64_t line_of(XML_Parser parser) { return XML_GetCurrentLineNumber(parser); }
+#endif
+
 class XmlParser
 {
 public:
@@ -55,7 +64,7 @@ public:
             parse(part, false);
             fed_ += static_cast<int64_t>(part.size());
             // Reading the beginning of a long token again and again would take quadratic time.
-            if (fed_ - std::max<int64_t>(XML_GetCurrentByteIndex(parser_), 0) > longest_token)
+            if (fed_ - std::max<int64_t>(byte_of(parser_), 0) > longest_token)
                 fail(CLQ_LIMIT, "line %u: an element, comment or text of more than %lld bytes", line(),
                      static_cast<long long>(longest_token));
             piece.remove_prefix(part.size());
@@ -64,7 +73,7 @@ public:
     void finish() { parse({}, true); }
 
 private:
-    uint32_t line() const { return static_cast<uint32_t>(XML_GetCurrentLineNumber(parser_)); }
+    uint32_t line() const { return static_cast<uint32_t>(line_of(parser_)); }
 
     void parse(std::string_view text, bool last)
     {
