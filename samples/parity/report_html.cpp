@@ -12,11 +12,13 @@ const char head[] = R"html(<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>claque parity</title>
 <style>
-:root { color-scheme: light dark; --ink: #1d1d1f; --soft: #5f6368; --paper: #fff; --rule: #d8d8dc; --good: #17692f; --bad: #b3261e; }
+:root { color-scheme: light dark; --ink: #1d1d1f; --soft: #5f6368; --paper: #fff; --rule: #d8d8dc;
+  --good: #17692f; --bad: #b3261e; }
 @media (prefers-color-scheme: dark) {
   :root { --ink: #e8e8ea; --soft: #a5a8ad; --paper: #17181a; --rule: #3a3c40; --good: #6fd08c; --bad: #ff8a80; }
 }
-body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 2rem auto; max-width: 72rem; padding: 0 1rem; }
+body { font: 15px/1.5 system-ui, sans-serif; color: var(--ink); background: var(--paper);
+  margin: 2rem auto; max-width: 72rem; padding: 0 1rem; }
 h1 { font-size: 1.5rem; margin-bottom: .2rem; } h2 { font-size: 1.1rem; margin: 2rem 0 .5rem; }
 .pass { color: var(--good); } .fail { color: var(--bad); font-weight: 600; } .soft { color: var(--soft); }
 .scroll { overflow-x: auto; }

@@ -14,7 +14,8 @@ const char json[] = R"({"format": "claque-parity", "version": 1, "kind": "result
 "scene": {"name": "three"}, "width": 16, "height": 12, "time_s": 1.5, "actors": 3, "vertices": 10,
 "actor_columns": ["actor", "mesh", "first_vertex", "vertex_count", "later"],
 "templates": [{"name": "man", "zones": ["skin", "tunic"]}, {"name": "owl", "zones": ["plumage"]}],
-"meshes": [{"template": 0, "level": 2, "vertices": 3, "triangles": 1}, {"template": 1, "level": 0, "vertices": 4, "triangles": 2}]}
+"meshes": [{"template": 0, "level": 2, "vertices": 3, "triangles": 1},
+{"template": 1, "level": 0, "vertices": 4, "triangles": 2}]}
 )";
 
 // The actor in this column.
