@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "lib/base/error.h"
+#include "lib/base/near_names.h"
 
 namespace claque::asset
 {
@@ -23,7 +24,10 @@ public:
     // With O_NONBLOCK, opening a pipe that has no writer does not wait.
     explicit Descriptor(const std::string &path) : number_(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC))
     {
-        if (number_ < 0) fail(CLQ_IO, "'%s' cannot be opened: %s", path.c_str(), std::strerror(errno));
+        if (number_ >= 0) return;
+        const int error = errno;
+        const std::string near = error == ENOENT ? base::near_files(path) : "";
+        fail(CLQ_IO, "'%s' cannot be opened: %s%s", path.c_str(), std::strerror(error), near.c_str());
     }
     ~Descriptor() { close(number_); }
     Descriptor(const Descriptor &) = delete;

@@ -1,4 +1,5 @@
 // Sentences about a name that is not there: the names that are near it, by edit distance, or all that there are.
+// It needs the standard library alone, so libclaque-stage and the samples include it too.
 #pragma once
 
 #include <string>
@@ -13,6 +14,8 @@ namespace claque::base
 std::string names_near(std::string_view wanted, const std::vector<std::string_view> &names);
 // "'Walk' and 'Walk_Back' are near" alone, or "".
 std::string near_names(std::string_view wanted, const std::vector<std::string_view> &names);
+// ": 'Soldier.glb' is near" of the files beside a file that is not there, or "".
+std::string near_files(const std::string &path);
 
 // Both for any range of texts.
 template <class Names>

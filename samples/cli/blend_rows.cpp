@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/scenes/template_names.h"
 
 namespace cli
@@ -31,7 +31,8 @@ NamedClip clip_named(const clq_template *tmpl, const std::string &name)
         out.length_s = static_cast<double>(info.duration_s);
         return out;
     }
-    throw scenes::Failure("no clip is called '" + name + "'" + io::names_near(name, scenes::names_of_clips(tmpl)));
+    throw scenes::Failure("no clip is called '" + name + "'" +
+                          claque::base::names_near(name, scenes::names_of_clips(tmpl)));
 }
 
 clq_play play_of(const NamedClip &clip, double start_s)

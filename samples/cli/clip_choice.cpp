@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/io/whole_number.h"
 #include "samples/scenes/check.h"
 
@@ -16,7 +16,7 @@ uint32_t clip_named(const std::string &name, const std::vector<std::string> &cli
     uint64_t number = 0;
     if (io::read_whole_number(name, number) && number < clips.size()) return static_cast<uint32_t>(number);
     throw scenes::Failure(of + " has no clip '" + name + "' among its " + std::to_string(clips.size()) +
-                          io::names_near(name, clips));
+                          claque::base::names_near(name, clips));
 }
 
 }  // namespace cli

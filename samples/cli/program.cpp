@@ -9,12 +9,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "lib/base/near_names.h"
 #include "samples/cli/help.h"
 #include "samples/cli/number_options.h"
 #include "samples/cli/terminal.h"
 #include "samples/cli/warnings.h"
 #include "samples/io/joined.h"
-#include "samples/io/near_names.h"
 #include "samples/io/unfinished.h"
 #include "samples/processes/machine_share.h"
 #include "samples/scenes/check.h"
@@ -43,7 +43,7 @@ std::string no_subcommand(const CLI::App &app, int argc, char **argv)
         if (known.empty() || (!next && word < argc && argv[word][0] == '-')) return "";
         if (!next && word < argc)
             return "'" + std::string(argv[word]) + "' is no subcommand of " + at->get_name() +
-                   io::names_near(argv[word], known);
+                   claque::base::names_near(argv[word], known);
         if (!next) return at->get_name() + " needs a subcommand; there are: " + io::joined(known);
         at = next;
     }
@@ -61,7 +61,7 @@ std::string unknown_option(const CLI::App &app, int argc, char **argv)
         const std::string text = argv[word], name = text.substr(0, text.find('='));
         if (name.size() < 3 || name.rfind("--", 0) != 0) continue;
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-        const std::string near = io::near_names(name, known);
+        const std::string near = claque::base::near_names(name, known);
         return near.empty() ? "" : "'" + name + "' is no option of " + at->get_name() + ": " + near;
     }
     return "";

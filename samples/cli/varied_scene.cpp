@@ -1,8 +1,8 @@
 // Samples that rules vary: each is a scene of its own.
 #include <algorithm>
 
+#include "lib/base/near_names.h"
 #include "samples/cli/label_scene.h"
-#include "samples/io/near_names.h"
 #include "samples/labels/variation/haze.h"
 #include "samples/labels/variation/jpeg.h"
 #include "samples/labels/variation/noise.h"
@@ -89,7 +89,7 @@ void VariedScene::check_rules() const
         if (described)
             for (const scenes::SocialClass &one : described->characters) all.push_back(one.name);
         if (std::find(all.begin(), all.end(), name) == all.end())
-            refuse("people.classes." + name, "has no class '" + name + "'" + io::names_near(name, all));
+            refuse("people.classes." + name, "has no class '" + name + "'" + claque::base::names_near(name, all));
     }
     const std::string scene = scene_of(arguments_);
     const bool lit = described ? !described->town : scene == "plaza";

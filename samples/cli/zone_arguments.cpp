@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
+#include "lib/base/near_names.h"
 #include "samples/cli/files.h"
 #include "samples/cli/scene_arguments.h"
-#include "samples/io/near_names.h"
 #include "samples/io/png.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/zone_inks.h"
@@ -134,7 +134,8 @@ std::vector<clq_zone_map_zone> painted_of(const Zones &zones, const std::vector<
 {
     for (const std::string &name : reduced)
         if (name != "all" && std::find(zones.names.begin(), zones.names.end(), name) == zones.names.end())
-            throw scenes::Failure("--reduce " + name + ": no zone has that name" + io::names_near(name, zones.names));
+            throw scenes::Failure("--reduce " + name + ": no zone has that name" +
+                                  claque::base::names_near(name, zones.names));
     std::vector<clq_zone_map_zone> out;
     for (const std::string &name : zones.names) {
         const auto asked = [&](const std::string &one) { return one == "all" || one == name; };

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "lib/base/near_names.h"
 #include "samples/io/files.h"
 
 namespace io
@@ -16,7 +17,9 @@ RegularFile::RegularFile(const std::string &path, uint64_t most_bytes)
 {
     struct stat facts = {};
     if (number_ < 0 || fstat(number_, &facts) != 0) {
+        const bool missing = errno == ENOENT;
         wrong_ = why(path, "opened");
+        if (missing) wrong_ += claque::base::near_files(path);
         return;
     }
     size_ = static_cast<uint64_t>(facts.st_size);

@@ -1,6 +1,6 @@
 #include "samples/scenes/scene.h"
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 
 namespace scenes
 {
@@ -35,7 +35,7 @@ std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, con
         if (name == entry.name) return entry.make(library, crowd_options, character);
         names.emplace_back(entry.name);
     }
-    throw Failure("there is no scene '" + name + "'" + io::names_near(name, names));
+    throw Failure("there is no scene '" + name + "'" + claque::base::names_near(name, names));
 }
 
 }  // namespace scenes

@@ -1,6 +1,6 @@
 #include "samples/scenes/social_classes.h"
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/scenes/check.h"
 
 namespace scenes
@@ -23,7 +23,7 @@ std::vector<clq_hsb_range> ranges_of(const clq_template *tmpl, const SocialClass
         if (zone == CLQ_NONE)
             throw Failure((one.at.empty() ? "" : one.at + ": ") + "the " + one.name + " have a palette for '" +
                           dye.zone + "', and the character '" + one.character + "' has no such zone" +
-                          io::names_near(dye.zone, names));
+                          claque::base::names_near(dye.zone, names));
         ranges[zone] = dye.range;
     }
     return ranges;

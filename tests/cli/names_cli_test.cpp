@@ -61,11 +61,14 @@ TEST_F(NamesCommand, ThatAreNotThereBringTheNearOnes)
     expect_said({"render", "citizen", "--clip", "aplaud", "--out", path("a.png")}, 1, "'applaud'");
     expect_said({"dump", "citizen", "--clip", "zzzzzz", "--out", path("a.npy")}, 1, "; there are: stand, walk, ");
     expect_said({"inspect", "citzen"}, 1, "there is no built-in character 'citzen': 'citizen' is near");
+    expect_said({"inspect", path("wlak.bvh")}, 1, "No such file or directory: 'walk.bvh' is near");
     expect_said({"blend", "citizen", "--over", "Walk", "--out", path("b.png")}, 1, "'walk' and 'walk_slow' are near");
     expect_said({"rendr", "citizen"}, 2, "'rendr' is no subcommand of claque: 'render' is near");
     expect_said({"render", "citizen", "--tiem", "1", "--out", path("a.png")}, 2,
                 "'--tiem' is no option of render: '--time' and '--to' are near");
     write("map.toml", "unit_n = 1.0\n");
+    expect_said({"inspect", "citizen", "--clips", path("walk.bvh"), "--map", path("amp.toml")}, 1,
+                "No such file or directory: 'map.toml' is near");
     expect_said({"inspect", "citizen", "--clips", path("walk.bvh"), "--map", path("map.toml")}, 1,
                 "has an unknown key 'unit_n': 'unit_m' is near");
 }

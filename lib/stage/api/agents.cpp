@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/api/boundary.h"
 #include "lib/stage/api/stage_handle.h"
-#include "lib/stage/near_names.h"
 
 using namespace claque;
 using stage::fail;
@@ -162,7 +162,7 @@ clq_status clq_stage_get_variable(const clq_stage *stage, clq_agent agent, const
         }
         std::vector<std::string_view> names;
         for (const stage::Variable &one : all) names.emplace_back(one.name);
-        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, stage::names_near(name, names).c_str());
+        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, base::names_near(name, names).c_str());
     });
 }
 

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/api/boundary.h"
 #include "lib/stage/api/stage_handle.h"
-#include "lib/stage/near_names.h"
 
 using namespace claque;
 using stage::fail;
@@ -73,7 +73,7 @@ void find_variable(const Directory &directory, clq_agent agent, const char *name
     if (found == all->end()) {
         std::vector<std::string_view> names;
         for (const stage::Variable &one : *all) names.emplace_back(one.name);
-        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, stage::names_near(name, names).c_str());
+        fail(CLQ_ARGUMENT, "there is no variable '%s'%s", name, base::names_near(name, names).c_str());
     }
     if (found->type == stage::Type::truth && value != 0 && value != 1)
         fail(CLQ_ARGUMENT, "the variable '%s' is true or false: 0 or 1 is wanted, not %g", name, value);

@@ -2,8 +2,8 @@
 
 #include <claque/template_info.h>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/error.h"
-#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -51,7 +51,7 @@ void find_clips(const Machine &machine, const Document &document, const MachineR
         const uint32_t clip = clq_template_find_clip(out.tmpl, name.c_str());
         if (clip == CLQ_NONE)
             document.refuse(*reader.clip_nodes[i], "the template '" + std::string(of) + "' has no clip '" + name + "'" +
-                                                       names_near(name, clips_of(out.tmpl)));
+                                                       base::names_near(name, clips_of(out.tmpl)));
         clq_clip_info info = clq_clip_info_init();
         must(clq_template_get_clip(out.tmpl, clip, &info));
         out.clips.push_back(clip);
@@ -90,10 +90,10 @@ Cast find_parts(const CastDef &def, const Machine &machine, const Document &docu
         bool found = false;
         for (const MarkerTime &one : out.markers) found |= one.marker == i;
         if (!found)
-            document.refuse(*reader.marker_nodes[i], "no clip that the machine plays has a marker '" +
-                                                         machine.marker_names[i] + "' in the template '" +
-                                                         std::string(info.name) + "'" +
-                                                         names_near(machine.marker_names[i], markers_of(def.tmpl)));
+            document.refuse(*reader.marker_nodes[i],
+                            "no clip that the machine plays has a marker '" + machine.marker_names[i] +
+                                "' in the template '" + std::string(info.name) + "'" +
+                                base::names_near(machine.marker_names[i], markers_of(def.tmpl)));
     }
     for (size_t i = 0; i < machine.masks.size(); ++i)
         for (size_t k = 0; k < machine.masks[i].nodes.size(); ++k)
@@ -101,7 +101,7 @@ Cast find_parts(const CastDef &def, const Machine &machine, const Document &docu
                 document.refuse(*reader.mask_nodes[i][k],
                                 "the template '" + std::string(info.name) + "' has no node '" +
                                     machine.masks[i].nodes[k] + "'" +
-                                    names_near(machine.masks[i].nodes[k], nodes_of(def.tmpl)));
+                                    base::names_near(machine.masks[i].nodes[k], nodes_of(def.tmpl)));
     return out;
 }
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/error.h"
 #include "lib/stage/machine/toml_keys.h"
 #include "lib/stage/machine/toml_number.h"
-#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -119,7 +119,8 @@ void Document::known(const toml::table &in, std::initializer_list<std::string_vi
 {
     for (const auto &[key, node] : in_order(in))
         if (std::find(keys.begin(), keys.end(), key->str()) == keys.end())
-            refuse(key->source(), "'" + std::string(key->str()) + "' is not known here" + names_near(key->str(), keys));
+            refuse(key->source(),
+                   "'" + std::string(key->str()) + "' is not known here" + base::names_near(key->str(), keys));
 }
 
 std::vector<std::pair<const toml::key *, const toml::node *>> Document::in_order(const toml::table &from) const

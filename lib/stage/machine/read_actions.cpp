@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <iterator>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/error.h"
 #include "lib/stage/machine/reader.h"
-#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -115,7 +115,7 @@ void MachineReader::read_gesture(const toml::table &from, Action &made)
     if (made.mask != none) return;
     std::vector<std::string_view> names;
     for (const auto &one : out_.masks) names.emplace_back(one.name);
-    doc_.refuse(*mask, "there is no mask '" + name + "' in [masks]" + names_near(name, names));
+    doc_.refuse(*mask, "there is no mask '" + name + "' in [masks]" + base::names_near(name, names));
 }
 
 void MachineReader::read_set(const toml::table &from, Action &made)
@@ -151,7 +151,7 @@ uint32_t MachineReader::event_named(const toml::node &from, const std::string &w
     std::vector<std::string_view> names;
     if (own && own->is_table())
         for (const auto &[key, node] : *own->as_table()) names.emplace_back(key.str());
-    doc_.refuse(from, "there is no event '" + name + "' in [events]" + names_near(name, names));
+    doc_.refuse(from, "there is no event '" + name + "' in [events]" + base::names_near(name, names));
 }
 
 void MachineReader::read_send(const toml::table &from, Action &made)
@@ -207,7 +207,7 @@ void MachineReader::read_go(const toml::table &from, Action &made)
     if (place == places_.end()) {
         std::vector<std::string_view> names;
         for (const auto &[one, at] : places_) names.emplace_back(one);
-        doc_.refuse(node, "there is no place '" + word + "' in [places]" + names_near(word, names));
+        doc_.refuse(node, "there is no place '" + word + "' in [places]" + base::names_near(word, names));
     }
     doc_.point(*place->second, word, made.point);
 }
@@ -220,7 +220,7 @@ void MachineReader::read_call(const toml::table &from, Action &made)
     const auto found = std::find(shared_.actions.begin(), shared_.actions.end(), name);
     if (found == shared_.actions.end())
         doc_.refuse(node, "there is no action '" + name + "' of the host (clq_stage_add_action)" +
-                              names_near(name, shared_.actions));
+                              base::names_near(name, shared_.actions));
     made.variable = static_cast<uint32_t>(found - shared_.actions.begin());
     made.value = quantity(from, "value", 0, -1e300, 1e300);
 }

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "lib/base/near_names.h"
 #include "lib/stage/error.h"
 #include "lib/stage/hash.h"
 #include "lib/stage/machine/cast.h"
 #include "lib/stage/machine/reader.h"
-#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -165,7 +165,7 @@ std::string MachineReader::near(std::string_view name) const
     for (const Variable &one : out_.variables) all.push_back(one.name);
     for (const uint32_t i : own_crowd_) all.push_back("crowd." + shared_.crowd[i].name);
     all.insert(all.end(), {"time", "clock", "value", "distance", "in_view", "walking"});
-    return names_near(name, all);
+    return base::names_near(name, all);
 }
 
 std::unique_ptr<Machine> read_machine(std::string_view text, const std::string &name, const std::vector<CastDef> &casts,

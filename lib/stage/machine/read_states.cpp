@@ -1,6 +1,6 @@
+#include "lib/base/near_names.h"
 #include "lib/stage/error.h"
 #include "lib/stage/machine/reader.h"
-#include "lib/stage/near_names.h"
 
 namespace claque::stage
 {
@@ -63,7 +63,7 @@ uint32_t MachineReader::state_named(const std::string &name, const toml::node &a
     if (found == states_.end()) {
         std::vector<std::string_view> names;
         for (const State &one : out_.states) names.emplace_back(one.name);
-        doc_.refuse(at, "there is no state '" + name + "'" + names_near(name, names));
+        doc_.refuse(at, "there is no state '" + name + "'" + base::names_near(name, names));
     }
     return found->second;
 }

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/io/toml_keys.h"
 #include "samples/io/toml_number.h"
 #include "samples/scenes/check.h"
@@ -232,7 +232,8 @@ void TomlTable::done() const
     for (const auto &[key, node] : *table_)
         if (!known_.count(key.str()))
             throw Failure(place_of(where_, key.source()) + ": " + (what_.empty() ? "" : what_ + " ") +
-                          "has an unknown key '" + std::string(key.str()) + "'" + io::names_near(key.str(), known_));
+                          "has an unknown key '" + std::string(key.str()) + "'" +
+                          claque::base::names_near(key.str(), known_));
 }
 
 }  // namespace scenes

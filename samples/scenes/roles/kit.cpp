@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/scenes/roles/gaze.h"
 #include "samples/scenes/template_names.h"
 
@@ -44,7 +44,8 @@ uint32_t Kit::clip(const std::string &name) const
     if (name.empty()) return CLQ_NONE;
     const uint32_t found = clq_template_find_clip(tmpl_, name.c_str());
     if (found == CLQ_NONE)
-        throw Failure(name_of(tmpl_) + " has no clip '" + name + "'" + io::names_near(name, names_of_clips(tmpl_)));
+        throw Failure(name_of(tmpl_) + " has no clip '" + name + "'" +
+                      claque::base::names_near(name, names_of_clips(tmpl_)));
     return found;
 }
 
@@ -52,7 +53,8 @@ uint32_t Kit::node(const std::string &name) const
 {
     const uint32_t found = clq_template_find_node(tmpl_, name.c_str());
     if (found == CLQ_NONE)
-        throw Failure(name_of(tmpl_) + " has no joint '" + name + "'" + io::names_near(name, names_of_nodes(tmpl_)));
+        throw Failure(name_of(tmpl_) + " has no joint '" + name + "'" +
+                      claque::base::names_near(name, names_of_nodes(tmpl_)));
     return found;
 }
 

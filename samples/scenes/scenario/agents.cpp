@@ -1,7 +1,7 @@
 // [[doors]] and [[agents]]: what opens and closes, and people that run machines.
 #include <algorithm>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/scenes/scenario/sections.h"
 
 namespace scenes
@@ -20,7 +20,7 @@ size_t place_named(TomlTable &table, const Staging &stage, const std::string &na
         names.push_back(place.name);
     }
     table.refuse("has '" + std::string(key) + "' with '" + name + "', and [places] has no such place" +
-                     io::names_near(name, names),
+                     claque::base::names_near(name, names),
                  key);
 }
 
@@ -40,9 +40,9 @@ size_t class_named(TomlTable &table, const Scenario &scenario)
         if (one.name == name) return names.size();
         names.push_back(one.name);
     }
-    table.refuse(
-        "is of the class '" + name + "', and there is no [[characters]] of that name" + io::names_near(name, names),
-        "class");
+    table.refuse("is of the class '" + name + "', and there is no [[characters]] of that name" +
+                     claque::base::names_near(name, names),
+                 "class");
 }
 
 void read_where(TomlTable &described, const Staging &stage, ScenarioAgents &made)

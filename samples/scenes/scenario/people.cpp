@@ -1,7 +1,7 @@
 // [[people]]: single individuals with roles.
 #include <cmath>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/io/whole_number.h"
 #include "samples/scenes/check.h"
 #include "samples/scenes/scenario/sections.h"
@@ -24,9 +24,9 @@ size_t member_of(TomlTable &table, const Scenario &scenario)
         if (one.name == name) return names.size();
         names.push_back(one.name);
     }
-    table.refuse(
-        "is of the class '" + name + "', and there is no [[characters]] of that name" + io::names_near(name, names),
-        "class");
+    table.refuse("is of the class '" + name + "', and there is no [[characters]] of that name" +
+                     claque::base::names_near(name, names),
+                 "class");
 }
 
 Clip clip_of(TomlTable &table)

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "samples/io/near_names.h"
+#include "lib/base/near_names.h"
 #include "samples/scenes/template_names.h"
 
 namespace scenes::walkers
@@ -52,7 +52,7 @@ uint32_t clip_of(const Member &member, const std::string &named, const std::vect
     const uint32_t clip = clq_template_find_clip(member.tmpl, named.c_str());
     if (clip == CLQ_NONE)
         throw Failure("the character " + member.described.character + " has no clip named " + named +
-                      io::names_near(named, names_of_clips(member.tmpl)));
+                      claque::base::names_near(named, names_of_clips(member.tmpl)));
     return clip;
 }
 

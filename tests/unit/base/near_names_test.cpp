@@ -1,10 +1,10 @@
-// What is said of a name that is not there. The library, its stage and the samples have this each for itself.
+// What is said of a name that is not there.
 #include "lib/base/near_names.h"
 
-#include <gtest/gtest.h>
+#include <filesystem>
+#include <fstream>
 
-#include "lib/stage/near_names.h"
-#include "samples/io/near_names.h"
+#include <gtest/gtest.h>
 
 namespace claque::testing
 {
@@ -16,8 +16,6 @@ using Names = std::vector<std::string_view>;
 void expect_said(const char *wanted, const Names &names, const std::string &tail)
 {
     EXPECT_EQ(base::names_near(wanted, names), tail) << wanted;
-    EXPECT_EQ(stage::names_near(wanted, names), tail) << wanted;
-    EXPECT_EQ(io::names_near(wanted, names), tail) << wanted;
 }
 
 TEST(NearNames, AreThoseOfASlipOrAPartTheNearestFirst)
@@ -42,6 +40,18 @@ TEST(NearNames, AreReplacedByAllWhereNoneIsNear)
     const std::vector<std::string> many(30, "stand");
     EXPECT_NE(base::names_near("zebra", many).find(" and 6 more"), std::string::npos);
     EXPECT_EQ(base::near_names("zebra", many), "");
+}
+
+TEST(NearNames, OfAFileAreThoseBesideIt)
+{
+    const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "claque_near_files";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    for (const char *name : {"Soldier.glb", "Knight.glb", "Soldier.png"}) std::ofstream(folder / name) << name;
+    EXPECT_EQ(base::near_files(folder / "Soldie.glb"), ": 'Soldier.glb' is near");
+    EXPECT_EQ(base::near_files(folder / "walk.bvh"), "");
+    EXPECT_EQ(base::near_files(folder / "none" / "Soldier.glb"), "");
+    std::filesystem::remove_all(folder);
 }
 
 TEST(NearNames, OfAnyLengthAndNumberTakeLimitedTime)
