@@ -9,7 +9,7 @@ extern "C" {
 #endif
 
 /* A character as loaded, before it is split into a template. It may be changed by one thread at a time, and not while
- * another call uses it; tasks of such a call must not use it either. */
+ * another call uses it; nor may the tasks of that call use it. */
 typedef struct clq_asset clq_asset;
 
 typedef struct clq_asset_info {

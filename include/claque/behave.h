@@ -53,7 +53,7 @@ typedef struct clq_dof_pose {
 /* Looks at a point. The degrees of freedom are rotations; CLQ_NONE leaves one out, but not all of them. Yaw is positive
  * to the actor's left, pitch is positive upwards. The spine takes spine_share of the turn, the neck neck_share of the
  * rest, and the eyes the remainder, each within its range; what a part cannot turn is not given to the others. A target
- * behind is viewed over the last shoulder used, first the left; actors on a root path ignore such a target. Each
+ * behind is viewed over the last shoulder used, first the left; actors on a root path ignore a target behind them. Each
  * coarser level leaves out the finest part that remains: eyes first, then neck. A level beyond the number of parts
  * leaves out the pitch. */
 typedef struct clq_gaze_def {
@@ -133,7 +133,7 @@ typedef struct clq_host_mechanism_def {
     void (*run)(void *user, const clq_behaviour_call *call, clq_dof_writer *writer);
     void *user;
     /* False: what it writes is a function of its arguments. True: it keeps a memory. It then runs in every update for
-     * every actor that uses it, visible or not, with the update's time, and such an actor is due in every frame. off_m
+     * every actor that uses it, visible or not, with the update's time, and these actors are due in every frame. off_m
      * must be 0, and writes to deactivated nodes are ignored. */
     bool has_memory;
 } clq_host_mechanism_def;
@@ -144,7 +144,7 @@ typedef struct clq_mechanism_def {
     /* The template of its degrees of freedom and clips. At least one actor of the crowd must have used it already. */
     const clq_template *tmpl;
     /* Behavioural level of detail (S0 5.3), at effective distances: level k + 1 begins at level_m[k], ascending; 0: no
-     * further level, and all after it are 0 too. From off_m on the mechanism does not run; 0: no such distance. It also
+     * further level, and all after it are 0 too. From off_m on the mechanism does not run; 0: it always runs. It also
      * stops where the skeleton has lost every node that it writes, and never writes lost nodes. */
     float level_m[3];
     float off_m;

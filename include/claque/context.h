@@ -49,8 +49,8 @@ CLQ_API void clq_context_log(clq_context *context, clq_log_level level, const ch
  * function.
  *   context   NULL: without tasks
  *   job       NULL: the call does nothing
- * Fails: CALLBACK (a job threw an exception: the text names the lowest such index; all others ran). Threads: any. GL:
- * none. */
+ * Fails: CALLBACK (a job threw an exception: the text names its index, the lowest of several; all others ran).
+ * Threads: any. GL: none. */
 CLQ_API clq_status clq_context_run(clq_context *context, uint32_t count, void (*job)(void *job_data, uint32_t index),
                                    void *job_data);
 

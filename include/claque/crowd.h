@@ -125,7 +125,7 @@ typedef struct clq_crowd_def {
     void *now_user;
     clq_key_poses key_poses; /* shared key-poses (S3). Default: none */
     /* [>= 0] An actor that moves (claque/speed.h) is renewed so often that it moves by at most so many pixels between
-     * two poses, in the view's picture and in one of 768 lines over 60 degrees. 0: no such limit. Default 1 */
+     * two poses, in the view's picture and in one of 768 lines over 60 degrees. 0: no limit. Default 1 */
     float motion_tolerance_px;
 } clq_crowd_def;
 

@@ -31,7 +31,7 @@ typedef struct clq_drawn_actor {
 CLQ_DEFINE_ZERO_INIT(clq_drawn_actor)
 
 /* Arrays of an individual in the library's own memory, in the layouts of the calls below that copy. NULL: the draw list
- * holds no such array, and the call that copies computes it. */
+ * does not hold the array, and the call that copies computes it. */
 typedef struct clq_drawn_arrays {
     uint32_t struct_bytes;            /* set by clq_drawn_arrays_init */
     const float *positions, *normals; /* [3 * vertex_count]; NULL: packed, placed by GL's matrix stack, or left out */

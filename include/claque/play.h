@@ -193,7 +193,7 @@ typedef enum clq_event_kind {
     CLQ_EVENT_FADE_END = 2,  /* a fade ends */
     CLQ_EVENT_LAYER_END = 3, /* a layer ends */
     CLQ_EVENT_STEP = 4,      /* an actor that walks on a track (claque/track.h) puts a foot down */
-    CLQ_EVENT_STAND = 5      /* such an actor begins to stand */
+    CLQ_EVENT_STAND = 5      /* an actor on a track begins to stand */
 } clq_event_kind;
 
 /* An event in an actor's clips. Events happen whether the actor is visible or not. */

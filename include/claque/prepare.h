@@ -22,14 +22,15 @@ typedef struct clq_prepare_def {
     const clq_levels_def *levels;     /* NULL: only the character's own levels of detail */
     uint32_t max_texture_px;          /* as in clq_asset_build */
     /* The folder of prepared files, which is made with mode 0700 if it is missing. It must belong to the user that runs
-     * the program, and no other may write it; files in it that are links or that others own or may write are not read.
+     * the program, and no other user may write it. A file in it is not read if it is a link, or if another user owns it
+     * or may write it.
      * NULL: $XDG_CACHE_HOME/claque, else $HOME/.cache/claque, else none; a built-in character comes from the folder
      * that was installed with the library, if it is there. "": no folder. Without a folder the template is made anew.
      *
      * The installed folder, share/claque/people, is found from the absolute path of the libclaque-assets.so that is
      * loaded; a program that links the library statically has none. It is only read. The folder and its files belong to
-     * root or to the owner of the library, and no other may write them. A file that breaks this rule, that is a link,
-     * that is damaged or of another build is passed over, and a warning in the log names it and the reason. */
+     * root or to the owner of the library, and no other user may write them. A file that breaks this rule, a link, a
+     * damaged file and a file of another build are passed over, and a warning in the log names it and the reason. */
     const char *folder;
     const clq_asset_dof *dofs; /* [dof_count] added as by clq_asset_add_dofs, before levels are made */
     uint32_t dof_count;

@@ -110,7 +110,7 @@ typedef struct clq_renderer_def {
      * case for shadows and visibility pictures. */
     bool multisample;
     /* From afar several texels fall on a pixel. GL_NEAREST shows one of them, another one in each frame, and pictures
-     * in motion flicker. True: levels that begin at such a distance show images in which each texel is the mean of the
+     * in motion flicker. True: levels that begin so far away show images in which each texel is the mean of the
      * texels of its zone around it. Zones keep their borders to the pixel. It takes up to four more copies of each
      * texture in GL, and time in clq_renderer_prepare. Textures of hooks are shown as they are. False (default): all
      * levels show the template's images. */

@@ -75,7 +75,7 @@ static inline clq_pixels clq_pixels_init(void)
 
 /* The host's arrays for what pixels show, each [width_px * height_px] times the number given; NULL: not wanted. Pixels
  * without an individual get CLQ_NONE, 0 or NaN. Points are those at the pixels' centres; where GL filled a pixel whose
- * centre lies beside the triangle, the nearest point of it. A triangle that is seen edge on has no such point: its
+ * centre lies beside the triangle, the nearest point of it. A triangle that is seen edge on has no point there: its
  * weights, depth, position and normal are NaN, and a dirty triangle's zone is CLQ_NONE. */
 typedef struct clq_pixel_channels {
     uint32_t struct_bytes; /* set by clq_pixel_channels_init */

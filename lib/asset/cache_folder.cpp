@@ -59,7 +59,7 @@ bool rename_part(int folder, const std::string &part, const std::string &name)
 }
 
 // A file without a name: nothing of it is left if the process is killed. False with EOPNOTSUPP or the like: the file
-// system has no such files.
+// system has none.
 bool write_nameless(int folder, const std::string &name, const std::vector<uint8_t> &bytes, bool &supported)
 {
     const Handle file(openat(folder, ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0600));

@@ -138,7 +138,7 @@ void Materials::settle_light(const std::vector<bool> &used, model::Model &model)
     name_unseen_looks(used);
 }
 
-// Nobody dyes a light.
+// A zone that glows keeps its colour: dyes are for cloth.
 void Materials::keep_glow(const std::vector<bool> &used, model::Model &model) const
 {
     for (const uint32_t material : glowing_)

@@ -1,4 +1,4 @@
-// A folder that is read only where nobody but its owners can have written.
+// A folder that is read only where its owners alone can have written.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,7 @@ public:
     // be opened, that belongs to neither owner, that others may write, or that lies behind a link of somebody else.
     OwnedFolder(const std::string &path, const Owners &owners);
 
-    // Empty: there is no such file. Throws base::Error (CLQ_IO), with a sentence that names the file, for one that
+    // Empty: the file is not there. Throws base::Error (CLQ_IO), with a sentence that names the file, for one that
     // belongs to neither owner, that others may write, that is a link or no file, that is empty or cannot be read.
     std::vector<uint8_t> read(const std::string &name) const;
 

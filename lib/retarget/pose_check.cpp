@@ -14,7 +14,7 @@ using model::none;
 PoseCheck::PoseCheck(const model::Rig &target, const model::Rig &source, const std::vector<JointMatch> &matches)
     : target_(target), source_(source), matches_(matches)
 {
-    if (matches.size() > 1000) return;  // nobody
+    if (matches.size() > 1000) return;  // more joints than a person has
     const GlobalPose rest = rest_pose(target);
     const auto high = [&](uint32_t i) { return rest.positions[matches[i].target].y; };
     for (uint32_t i = 1; i < matches.size(); ++i)

@@ -186,7 +186,7 @@ double top_speed_of(const Track &track)
     for (uint32_t i = 0; i + 1 < track.samples.size(); ++i) {
         const Metres a = point_of(track, track.samples[i]), b = point_of(track, track.samples[i + 1]);
         if (stands(track.samples[i]) && stands(track.samples[i + 1])) {
-            if (a.x != b.x || a.y != b.y || a.z != b.z) return HUGE_VAL;  // only files can hold such a jump
+            if (a.x != b.x || a.y != b.y || a.z != b.z) return HUGE_VAL;  // only a file can hold a jump
             continue;
         }
         const Metres m = slope_at(track, i), n = slope_at(track, i + 1);

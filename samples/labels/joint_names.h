@@ -13,7 +13,7 @@ namespace labels
 // A node's name without prefixes, separators and case, as the next functions compare it.
 std::string plain_name(const std::string &name);
 
-// The node of a joint, as "head" or "left_elbow"; CLQ_NONE: the skeleton has no such joint. nodes: by plain name.
+// The node of a joint, as "head" or "left_elbow"; CLQ_NONE: the skeleton lacks the joint. nodes: by plain name.
 uint32_t find_joint(const std::map<std::string, uint32_t> &nodes, const std::string &joint);
 
 // All joints: those in the middle, and of the others the left and the right one.

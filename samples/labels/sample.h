@@ -15,7 +15,7 @@ struct Box {  // pixels from the top left corner; x1 and y1 are excluded
     bool empty() const { return !(x1 > x0 && y1 > y0); }
 };
 
-// Outside the picture, hidden by something or by the person itself, or visible. Absent: the skeleton has no such joint.
+// Outside the picture, hidden by something or by the person itself, or visible. Absent: the skeleton lacks the joint.
 enum class Seen { absent, outside, hidden, visible };
 
 struct Keypoint {

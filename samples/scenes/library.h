@@ -47,7 +47,7 @@ public:
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;  // each once
-    // Hears the warnings of every library of the process too; none: nobody does. To be set before the first is made.
+    // `hear` is told the warnings of every library of the process too; NULL: none. To be set before the first is made.
     static void hear_warnings(void (*hear)(const std::string &text));
 
     // For processes that make the same templates in the same order. From now on `exchange` sees the bytes of each as

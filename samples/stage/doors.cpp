@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    // Whoever was within it, and is not any more, has passed.
+    // A person has passed who was within the door and is not any more.
     void count(Run &run, size_t door)
     {
         std::vector<uint32_t> now;

@@ -1,5 +1,5 @@
-// Where a person of a file faces: a warning names it with the turn that it needs, and nobody walks backwards because of
-// a file.
+// Where a person of a file faces: a warning names it with the turn that it needs, and no walker goes backwards because
+// of a file.
 #include <cmath>
 #include <filesystem>
 #include <functional>

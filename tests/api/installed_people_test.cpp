@@ -1,4 +1,4 @@
-// The folder of prepared people beside libclaque-assets.so: read where nobody but root and the owner of the library can
+// The folder of prepared people beside libclaque-assets.so: read where root and the owner of the library alone can
 // have written, else passed over with a warning. Each test has a copy of the library in a folder of its own.
 #include <claque/prepare.h>
 

@@ -146,7 +146,7 @@ made=$(ls cache/claque 2> missing | wc -l)
               "--scene odeon --count 200: 3 made\n");
 }
 
-TEST_F(Install, LetsNobodyElseWritePreparedPeopleWhateverTheUmask)
+TEST_F(Install, LetsNoOtherUserWritePreparedPeopleWhateverTheUmask)
 {
     printed("umask 002\n" + make("install PREFIX=" + home_.path() + "/open"));
     EXPECT_EQ(printed("cd open/share/claque && stat -c %a people people/* | sort | uniq -c | tr -s ' '"),

@@ -57,7 +57,7 @@ TEST(Acclaim, AnyTimeIsFoundByItself)
     }
 }
 
-TEST(Acclaim, WavesComeLaterToThoseWhoAreFartherAway)
+TEST(Acclaim, WavesComeLaterToPeopleFartherAway)
 {
     for (int64_t number = -3; number < 20; ++number) {
         const Wave w = wave(1, number);

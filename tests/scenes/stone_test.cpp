@@ -179,7 +179,7 @@ TEST(InStone, LiesNoVertexOfAPatrician) { expect_out_of_the_stone("patrician", 5
 TEST(InStone, LiesNoVertexOfAPlebeian) { expect_out_of_the_stone("plebeian", 4); }
 
 // A person who sits 4 cm too low or too far back is found at that depth.
-TEST(InStone, TheTestFindsThoseWhoSitTooLowOrTooFarBack)
+TEST(InStone, TheTestFindsPeopleWhoSitTooLowOrTooFarBack)
 {
     bodies::Body body("plebeian");
     body.pose(body.clip("sit"), 0);

@@ -1,4 +1,4 @@
-// The people of the evacuation leave by open doors, go through nobody and no stone, and are not seen afterwards.
+// The people of the evacuation leave by open doors, go through no person and no stone, and are not seen afterwards.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,5 +1,5 @@
-// The market of samples/scenarios/market.toml: people go through nobody and nothing that stands there, those who talk
-// face each other, and the owl startles those near it.
+// The market of samples/scenarios/market.toml: people go through no person and no thing that stands there. People
+// who talk face each other, and the owl startles those near it.
 #include <algorithm>
 #include <cmath>
 
@@ -128,7 +128,7 @@ bool has_company(World &world, uint32_t person, const std::vector<std::string> &
     return false;
 }
 
-TEST(Market, ThoseWhoTalkFaceEachOther)
+TEST(Market, PeopleWhoTalkFaceEachOther)
 {
     World world(market(40, 10, 30), 1, false);
     const auto count = static_cast<uint32_t>(world.run().people().all().size());

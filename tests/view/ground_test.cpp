@@ -199,7 +199,7 @@ TEST_F(GroundOf, StatesAreSavedAsScenariosThatShowTheSame)
     }
 }
 
-TEST_F(GroundOf, NobodyIsNoScenario)
+TEST_F(GroundOf, ThatHasNoPeopleIsNoScenario)
 {
     open({});
     EXPECT_THROW(view::scenario_text(session().world(), session().model()), scenes::Failure);

@@ -1,5 +1,5 @@
 // Who gets to a served window: pages of a browser by their origin, those that know the password before those that wait,
-// and passwords of eight letters that nobody prints without need.
+// and passwords of eight letters that are never printed without need.
 #include <chrono>
 #include <csignal>
 #include <filesystem>

@@ -34,7 +34,7 @@ void Walkers::publish(uint32_t i)
     Body &body = bodies_[i];
     const size_t known = body.points.size();
     guess(i, body.points);
-    // Known headings of a rest would be those of all of the piece; who walks looks where it goes.
+    // Known headings of a rest would be those of all of the piece; a walker looks where it goes.
     if (!rests(body))
         for (clq_track_point &point : body.points) point.heading_rad = NAN;
     clq_track_def def = clq_track_def_init();

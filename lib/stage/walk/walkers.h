@@ -86,7 +86,7 @@ public:
     // Moves a walker that has arrived to a place within half a metre that need not be on the ground.
     void settle(clq_walker id, const double place[3]);
     bool has_settled(clq_walker id) const;
-    // A walker that was added now, from such a place.
+    // A walker that was added now, from where it stands.
     void rise_from(clq_walker id, const double place[3]);
     // A walker that was added now and stood since an earlier time: its first piece, up to now.
     void stand_since(clq_walker id, double time_s);

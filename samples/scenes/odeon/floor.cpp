@@ -15,7 +15,7 @@ constexpr double each_deg = 1.0;                            // of an arc
 constexpr double strip_from_m = 0.32, strip_to_m = 0.04;    // before the seats of a row
 constexpr double half_rise_m = 0.19;                        // less than half of the least rise between rows
 constexpr int outline_sides = 20;                           // of the arc round a part of a strip
-constexpr double widest_deg = 40;                           // of such a part
+constexpr double widest_deg = 40;                           // of a part
 constexpr double gangway_half_m = 0.26 + floor_radius_m;    // of what the middle of a person may use
 constexpr double beside_stone_m = 0.35, outside_m = 15.2;   // outside: how far the ground behind the stage house goes
 constexpr double behind_house_m = 2.2, beside_house_m = 2;  // beyond the stage's depth and half width

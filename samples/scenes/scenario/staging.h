@@ -51,7 +51,7 @@ struct ScenarioAgents {
     uint32_t count = 1;
     std::vector<size_t> from;  // places where they appear; empty: within the outline
     Outline outline;
-    double within_m = 0.5;              // of such a place
+    double within_m = 0.5;              // of the place
     double apart_m = 0.6;               // from each other, where they appear
     double from_s = 0;                  // when the first appears
     double per_minute = 0;              // so many follow; 0: all at once

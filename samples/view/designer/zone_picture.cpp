@@ -71,7 +71,7 @@ void compose(ZonePicture &out)
         }
 }
 
-// Returns false if the template has no such texture.
+// Returns false if the template lacks the texture.
 bool take_texture(ZonePicture &out)
 {
     clq_texels texels = clq_texels_init();

@@ -200,7 +200,7 @@ TEST(Draco, MoreVerticesThanTheTrianglesHaveCornersAreRefusedBeforeTheDecoderRun
     }
 }
 
-// Twelve bytes for each number, which eight attributes that nobody asks for have, too.
+// Twelve bytes for each number, which eight attributes that no reader asks for have, too.
 TEST(Draco, AttributesThatTakeMoreThanIsLeftAreRefusedBeforeTheyAreUnpacked)
 {
     const Sheet plain = sheet();

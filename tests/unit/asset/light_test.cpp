@@ -28,7 +28,7 @@ std::string only_warning(const model::Model &model)
     return model.warnings.empty() ? "" : model.warnings[0];
 }
 
-TEST(Light, OfALampVariesWithNobody)
+TEST(Light, OfALampIsTheSameOnAllPeople)
 {
     const model::Model model = load(lamp_file().glb());
     ASSERT_EQ(model.zones.size(), 1u);

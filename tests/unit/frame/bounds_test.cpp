@@ -59,7 +59,7 @@ protected:
 
 }  // namespace
 
-TEST_F(CullBoundsTest, KeepsWhoIsNearAnyViewInOrderAndHardlyAnyoneElse)
+TEST_F(CullBoundsTest, KeepsActorsNearAnyViewInOrderAndFewOthers)
 {
     uint32_t all = 0, outside = 0;
     for (int turn = 0; turn < 40; ++turn) {

@@ -82,7 +82,7 @@ TEST(WalkersThatStand, GoAheadWhereTwoCannotPass)
     EXPECT_GT(passage.nearest_m, 0.38);
 }
 
-TEST(WalkersThatStand, OpenAGroupForThoseWhoPass)
+TEST(WalkersThatStand, OpenAGroupForWalkersThatPass)
 {
     const Held held(passage_of(3));
     std::vector<clq_walker> all;
@@ -126,7 +126,7 @@ TEST(WalkersThatMeet, GoBackWhereOnlyOneCanGo)
     EXPECT_GT(passage.nearest_m, 0.38);
 }
 
-TEST(WalkersThatArrive, StandBesideThoseWhoAreThereAlready)
+TEST(WalkersThatArrive, StandBesideWalkersThatAreThereAlready)
 {
     const Held held(floors::two_rooms(false));
     std::vector<clq_walker> all;
