@@ -16,69 +16,20 @@ using scenes::check;
 namespace
 {
 
-// The box of a few clips, each at its middle time: rest poses spread their arms, and people do not stand like that.
-// Sideways it is the mean. Upwards it is that of one clip: some sit, a few raise their arms, and two thirds are no
-// higher than one that stands.
-void take_posed_box(const clq_asset *asset, const clq_asset_info &info, scenes::Character &character)
-{
-    constexpr uint32_t most = 8;
-    const uint32_t first_clip = std::min(character.first_clip, info.clip_count);
-    const uint32_t clips = std::min(info.clip_count - first_clip, most);
-    if (clips == 0 || info.vertex_count == 0) return;
-    std::vector<float> xyz(3 * static_cast<size_t>(info.vertex_count));
-    double first[3] = {0, 0, 0}, last[3] = {0, 0, 0};
-    struct Upwards {
-        float low, high;
-    };
-    std::vector<Upwards> upwards;
-    for (uint32_t i = 0; i < clips; ++i) {
-        clq_clip_info clip = clq_clip_info_init();
-        check(clq_asset_get_clip(asset, first_clip + i, &clip));
-        check(
-            clq_asset_get_positions(asset, first_clip + i, clip.start_s + clip.duration_s / 2, xyz.data(), xyz.size()));
-        for (size_t axis = 0; axis < 3; ++axis) {
-            float low = xyz[axis], high = xyz[axis];
-            for (size_t v = axis; v < xyz.size(); v += 3) {
-                low = std::min(low, xyz[v]);
-                high = std::max(high, xyz[v]);
-            }
-            first[axis] += static_cast<double>(low) / clips;
-            last[axis] += static_cast<double>(high) / clips;
-            if (axis == 1) upwards.push_back({low, high});
-        }
-    }
-    for (const int axis : {0, 2}) {
-        character.box_min[axis] = static_cast<float>(first[axis]);
-        character.box_max[axis] = static_cast<float>(last[axis]);
-    }
-    const auto chosen = upwards.begin() + static_cast<std::ptrdiff_t>(upwards.size() * 2 / 3);
-    std::nth_element(upwards.begin(), chosen, upwards.end(),
-                     [](const Upwards &a, const Upwards &b) { return a.high - a.low < b.high - b.low; });
-    character.box_min[1] = chosen->low, character.box_max[1] = chosen->high;
-}
-
 bool is_builtin(const std::string &path)
 {
     // A name without folder or extension, and no such file.
     return path.find_first_of("./") == std::string::npos && access(path.c_str(), F_OK) != 0;
 }
 
-clq_asset_options options_of(const scenes::Library &library, const std::vector<const char *> &hidden,
+// `hidden`: lives as long as the options.
+clq_asset_options options_of(const scenes::Library &library, std::vector<const char *> &hidden,
                              const FileArguments &of_file, const ClipArguments &clips)
 {
     clq_asset_options options = library.asset_options();
-    of_file.placement.give(options);
-    options.hidden_nodes = hidden.data();
+    of_file.placement.give(options, hidden);
     options.bvh_metres_per_unit = clips.unit_m;
-    options.hidden_node_count = static_cast<uint32_t>(hidden.size());
     return options;
-}
-
-std::vector<const char *> pointers(const std::vector<std::string> &names)
-{
-    std::vector<const char *> out;
-    for (const std::string &name : names) out.push_back(name.c_str());
-    return out;
 }
 
 }  // namespace
@@ -90,7 +41,7 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
     clq_template *made = nullptr;
     clq_status status = CLQ_OK;
     if (clips.files.empty()) {
-        const std::vector<const char *> names = pointers(of_file.hidden);
+        std::vector<const char *> names;
         const clq_asset_options options = options_of(library, names, of_file, clips);
         const clq_levels_def levels = clq_levels_def_init();
         clq_prepare_def def = clq_prepare_def_init();
@@ -124,8 +75,7 @@ scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedChar
         expect_unplaced(of_file, path + " is prepared already, with claque prepare");
         if (!clips.files.empty() || clips.vary > 0)
             throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
-        const std::vector<unsigned char> bytes = read_file(path);
-        check(clq_template_load(library.context(), bytes.data(), bytes.size(), &made), path);
+        return library.load_prepared(path);
     } else {
         if (levels == scenes::Lod::on) made = in_levels(library, path, of_file, clips);
         if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);
@@ -134,23 +84,6 @@ scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedChar
 }
 
 }  // namespace
-
-scenes::Character LoadedCharacter::character() const
-{
-    scenes::Character character;
-    character.tmpl = tmpl.get();
-    character.first_clip = first_clip, character.one_clip = one_clip;
-    if (asset) {
-        const clq_asset_info info = info_of(asset.get());
-        character.has_box = true;
-        std::copy(info.box_min, info.box_min + 3, character.box_min);
-        std::copy(info.box_max, info.box_max + 3, character.box_max);
-        if (info.hidden_part_count == 0) take_posed_box(asset.get(), info, character);
-    }
-    return character;
-}
-
-bool is_prepared(const std::string &path) { return path.size() > 4 && path.substr(path.size() - 4) == ".clq"; }
 
 bool is_other_format(const std::string &path)
 {
@@ -172,7 +105,7 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
     } else {
         if (clips.vary > 0)
             throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
-        const std::vector<const char *> names = pointers(of_file.hidden);
+        std::vector<const char *> names;
         const clq_asset_options options = options_of(library, names, of_file, clips);
         const clq_status read = clq_asset_load_file(library.context(), path.c_str(), &options, &made);
         if (read != CLQ_OK && is_other_format(path))

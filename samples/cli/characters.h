@@ -9,6 +9,7 @@
 #include "samples/scenes/check.h"
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene.h"
+#include "samples/scenes/social_classes.h"
 
 namespace cli
 {
@@ -18,10 +19,10 @@ struct LoadedCharacter {
     scenes::Own<clq_template> tmpl;
     uint32_t first_clip = 0;  // to show: of the added clips, where there are any
     bool one_clip = false;    // and no other
-    scenes::Character character() const;
+    scenes::Character character() const { return {tmpl.get(), first_clip, one_clip}; }
 };
 
-bool is_prepared(const std::string &path);
+using scenes::is_prepared;
 // Whether a file's name ends as those of formats that only `claque convert` reads. Its content decides.
 bool is_other_format(const std::string &path);
 

@@ -7,11 +7,17 @@ namespace cli
 
 void add_file_options(CLI::App &command, FileArguments &a)
 {
+    add_hide_option(command, a.placement);
+    add_placement_options(command, a.placement);
+}
+
+void add_hide_option(CLI::App &command, scenes::Placement &placement)
+{
     command
-        .add_option("--hide", a.hidden, "Leave out the node of this name and its descendants (FILE only; may repeat)")
+        .add_option("--hide", placement.hidden,
+                    "Leave out the node of this name and its descendants, in the characters of files (may repeat)")
         ->expected(1)
         ->take_all();
-    add_placement_options(command, a.placement);
 }
 
 void add_placement_options(CLI::App &command, scenes::Placement &placement)
@@ -42,12 +48,14 @@ void expect_files(const std::vector<scenes::SocialClass> &characters, const scen
     for (const scenes::SocialClass &one : characters)
         if (scenes::is_file(one.character)) return;
     if (placement.any())
-        throw scenes::Failure("--turn, --height, --scale and --blend are for characters of files, and none is shown");
+        throw scenes::Failure(
+            "--turn, --height, --scale, --blend and --hide are for characters of files, and none is shown");
 }
 
 void expect_unplaced(const FileArguments &arguments, const std::string &why)
 {
-    if (arguments.placement.any()) throw scenes::Failure(why + "; --turn, --height, --scale and --blend are for files");
+    if (arguments.placement.any())
+        throw scenes::Failure(why + "; --turn, --height, --scale, --blend and --hide are for files");
 }
 
 }  // namespace cli

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -12,12 +11,12 @@ namespace cli
 {
 
 struct FileArguments {
-    std::vector<std::string> hidden;
     scenes::Placement placement;
 };
 
 // All of them. A command that has a --scale of its own keeps it, and calls this afterwards.
 void add_file_options(CLI::App &command, FileArguments &arguments);
+void add_hide_option(CLI::App &command, scenes::Placement &placement);
 // All but --hide.
 void add_placement_options(CLI::App &command, scenes::Placement &placement);
 

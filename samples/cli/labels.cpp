@@ -56,6 +56,7 @@ void add_labels(CLI::App &app, Work &chosen)
     add_scene_options(*c, a->setup);
     add_reading_options(*c, a->tracks);
     add_walking_options(*c, a->tracks);
+    add_hide_option(*c, a->setup.of_file.placement);
     add_placement_options(*c, a->setup.of_file.placement);
     c->add_option("--lod", a->setup.lod, "People with levels of detail (on) or without (off)")
         ->check(CLI::IsMember({"off", "on", "finest"}))

@@ -115,6 +115,7 @@ void add_play(CLI::App &app, Work &chosen)
         ->required();
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
+    add_hide_option(*c, a->setup.of_file.placement);
     add_placement_options(*c, a->setup.of_file.placement);
     add_picture_options(*c, a);
     c->remove_option(c->get_option("--camera"));

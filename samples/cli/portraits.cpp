@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samples/scenes/posed_template.h"
+
 namespace cli
 {
 
@@ -52,35 +54,14 @@ clq_play Portraits::pose() const
 
 void Portraits::measure()
 {
-    const clq_template_info info = info_of(loaded_.tmpl.get());
-    double low[3], high[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        // Prepared files have no box, only a sphere of all poses; upright people fill only a part of it.
-        const double reach = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.40);
-        low[axis] = info.sklsroot_centre[axis] - reach;
-        high[axis] = info.sklsroot_centre[axis] + reach;
-    }
-    if (loaded_.asset) {
-        const clq_asset_info asset = info_of(loaded_.asset.get());
-        std::copy(asset.box_min, asset.box_min + 3, low);
-        std::copy(asset.box_max, asset.box_max + 3, high);
-        const clq_play play = pose();
-        if (asset.hidden_part_count == 0 && play.clip != CLQ_NONE && asset.vertex_count > 0) {
-            clq_clip_info clip = clq_clip_info_init();
-            check(clq_asset_get_clip(loaded_.asset.get(), play.clip, &clip));
-            std::vector<float> xyz(3 * static_cast<size_t>(asset.vertex_count));
-            check(clq_asset_get_positions(loaded_.asset.get(), play.clip, clip.start_s, xyz.data(), xyz.size()));
-            for (size_t axis = 0; axis < 3; ++axis) low[axis] = high[axis] = xyz[axis];
-            for (size_t i = 0; i < xyz.size(); ++i) {
-                low[i % 3] = std::min(low[i % 3], static_cast<double>(xyz[i]));
-                high[i % 3] = std::max(high[i % 3], static_cast<double>(xyz[i]));
-            }
-        }
-    }
-    const double longest = std::max({high[0] - low[0], high[1] - low[1], high[2] - low[2]});
+    scenes::PosedTemplate posed(library_, loaded_.tmpl.get());
+    posed.pose(pose().clip, 0);
+    scenes::PoseBox box = posed.box();
+    if (box.is_none()) box = {};
+    const double longest = std::max({box.size(0), box.size(1), box.size(2)});
     extents_.scale = longest > 0 && std::isfinite(longest) ? person_m / longest : 1;
-    const auto middle = [&](int axis) { return (low[axis] + high[axis]) / 2 * extents_.scale; };
-    const auto half = [&](int axis) { return (high[axis] - low[axis]) / 2 * extents_.scale; };
+    const auto middle = [&](size_t axis) { return (box.low[axis] + box.high[axis]) / 2 * extents_.scale; };
+    const auto half = [&](size_t axis) { return box.size(axis) / 2 * extents_.scale; };
     const double turned[] = {turn_z_ * middle(0) + turn_x_ * middle(2), middle(1),
                              turn_z_ * middle(2) - turn_x_ * middle(0)};
     const double reach[] = {turn_z_ * half(0) + turn_x_ * half(2), half(1), turn_z_ * half(2) + turn_x_ * half(0)};

@@ -37,6 +37,7 @@ void read_scenario(SceneArguments &a)
     for (scenes::SocialClass &one : described->characters) {
         if (scenes::is_file(one.character) && !one.placement.any()) one.placement = a.of_file.placement;
         one.placement.blend = a.of_file.placement.blend;
+        if (scenes::is_file(one.character)) one.placement.hidden = a.of_file.placement.hidden;
     }
     expect_files(described->characters, a.of_file.placement);
     a.described = described;

@@ -16,7 +16,7 @@ Json file_about(const std::string &path)
 Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
 {
     Json scene;
-    scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.of_file.hidden;
+    scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.of_file.placement.hidden;
     const scenes::Placement &placed = s.of_file.placement;
     if (placed.any()) scene["placement"] = {placed.turn_deg, placed.height_m, placed.scale};
     if (placed.blend != CLQ_BLEND_MASK) scene["blend"] = "opaque";

@@ -65,6 +65,7 @@ void add_stage(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand("stage", "Run a scenario whose people decide: record it, draw it, measure it");
     c->add_option("SCENARIO", a->setup.scenario, "A scenario with [stage] (TOML, docs/scenarios.md)")->required();
     add_scene_options(*c, a->setup);
+    add_hide_option(*c, a->setup.of_file.placement);
     add_placement_options(*c, a->setup.of_file.placement);
     add_outputs(*c, a);
     c->add_option("--seconds", a->seconds, "Length of the run (default: as the scenario says)");

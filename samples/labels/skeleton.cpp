@@ -4,7 +4,7 @@
 
 #include "samples/labels/face.h"
 #include "samples/labels/joint_names.h"
-#include "samples/labels/rest_pose.h"
+#include "samples/scenes/posed_template.h"
 
 namespace labels
 {
@@ -40,7 +40,7 @@ const Skeletons::Skeleton &Skeletons::of(const clq_template *tmpl)
         const char *name = clq_template_get_node_name(tmpl, i);
         plain.emplace(plain_name(name), i), exact.emplace(name, i);
     }
-    const RestPose rest(library_, tmpl);
+    scenes::PosedTemplate rest(library_, tmpl);
     const uint32_t head = find_joint(plain, "head");
     Face face;
     std::array<double, 16> at_head = {};

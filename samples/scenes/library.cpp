@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "samples/io/files.h"
+
 namespace scenes
 {
 
@@ -98,6 +100,16 @@ void Library::share_templates(bool makes, Exchange exchange)
 {
     makes_ = makes;
     exchange_ = std::move(exchange);
+}
+
+Own<clq_template> Library::load_prepared(const std::string &path)
+{
+    std::string bytes;
+    const std::string wrong = io::read_whole(path, bytes, io::most_file_bytes);
+    if (!wrong.empty()) throw Failure(wrong);
+    clq_template *loaded = nullptr;
+    check(clq_template_load(context(), bytes.data(), bytes.size(), &loaded), path);
+    return Own<clq_template>(loaded);
 }
 
 Own<clq_template> Library::shared(const std::function<Own<clq_template>()> &make)

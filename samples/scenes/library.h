@@ -44,6 +44,8 @@ public:
     clq_template *looking(const std::string &name, bool levels);
     // A character of the caller's own: `make` is called at the first request of the name.
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
+    // The template in a prepared file.
+    Own<clq_template> load_prepared(const std::string &path);
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;  // each once

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samples/scenes/light.h"
+#include "samples/scenes/posed_template.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/scene.h"
 #include "samples/scenes/shadows.h"
@@ -26,22 +27,11 @@ struct Extent {
     double half_x = 0.4, half_z = 0.4;
 };
 
-Extent extent_of(const Character &character, const clq_template_info &info)
+Extent extent_of(const PoseBox &box)
 {
     Extent e;
-    double first[3], last[3];
-    for (int axis = 0; axis < 3; ++axis) {
-        if (character.has_box) {
-            first[axis] = character.box_min[axis];
-            last[axis] = character.box_max[axis];
-            continue;
-        }
-        // Prepared files have no box, only a sphere of all poses. Most characters are upright, slimmer than their
-        // sphere, and have their Reference Point on the ground.
-        const double centre = info.sklsroot_centre[axis], radius = info.sklsroot_radius * (axis == 1 ? 0.92 : 0.35);
-        first[axis] = centre - radius;
-        last[axis] = centre + radius;
-    }
+    if (box.is_none()) return e;
+    std::array<double, 3> first = box.low, last = box.high;
     // Most characters stand on y = 0; parts a little below it are a blade, a tail or a jump. Others stand on their
     // lowest point.
     if (std::abs(first[1]) < 0.15 * (last[1] - first[1])) first[1] = 0;
@@ -65,13 +55,15 @@ public:
           scene_crowd_(library, crowd_options),
           sky_(crowd_options.seed, Sky::Land::studio)
     {
-        if (!character_.tmpl) take_citizen(library);
-        check(clq_template_get_info(character_.tmpl, &info_));
-        extent_ = extent_of(character_, info_);
+        if (!character_.tmpl) character_.tmpl = library.builtin("citizen");
+        PosedTemplate posed(library, character_.tmpl);
+        info_ = posed.info();
+        extent_ = extent_of(standing_box(posed, character_.first_clip, character_.one_clip));
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
         line_up(static_cast<int>(crowd_options.count));
         for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
+        measure_clips(posed, crowd_options.count);
         lay_ground();
     }
 
@@ -116,7 +108,7 @@ private:
         for (int columns = 1; columns <= count && columns < 4 * std::sqrt(count) + 2; ++columns) {
             const int rows = (count + columns - 1) / columns;
             if (rows > columns + 1) continue;  // rows far behind are not visible
-            const double distance = fit(rows, columns, usual_aspect).distance;
+            const double distance = fit({room(rows, columns)}, usual_aspect, pitch_of(rows)).distance;
             if (nearest > 0 && distance >= nearest) continue;
             nearest = distance;
             columns_ = columns;
@@ -124,52 +116,95 @@ private:
         }
     }
 
+    // What rows of people fill who stand, from the middle of the first.
+    PoseBox room(int rows, int columns) const
+    {
+        const double half_x =
+            (columns - 1) * across_ / 2 + (rows > 1 && columns > 1 ? across_ * 0.25 : 0) + extent_.half_x;
+        return {{-half_x, 0, -(rows - 1) * deep_ - extent_.half_z}, {half_x, extent_.height, extent_.half_z}};
+    }
+
+    static double pitch_of(int rows) { return rows > 1 ? 0.36 : 0.10; }
+
     struct Fit {
-        double distance, target_y, target_z, fy, fz;  // f: the eye's direction
+        double distance, target_x, target_y, target_z, fy, fz;  // f: the eye's direction
     };
 
-    // Looks down on these rows from the front, at the smallest distance that has all of them in the picture.
-    Fit fit(int rows, int columns, double aspect) const
+    // Looks down on these boxes from the front, at the smallest distance that has all of them in the picture.
+    static Fit fit(const std::vector<PoseBox> &boxes, double aspect, double pitch)
     {
         constexpr double fill = 0.88;
         const double tall = fill * std::sin(half_fov) / std::cos(half_fov), wide = tall * aspect;
-        const double pitch = rows > 1 ? 0.36 : 0.10;
-        const double half_x =
-            (columns - 1) * across_ / 2 + (rows > 1 && columns > 1 ? across_ * 0.25 : 0) + extent_.half_x;
-        const double back = (rows - 1) * deep_ + extent_.half_z;
-        Fit f = {1, extent_.height / 2, -back / 2, -std::sin(pitch), -std::cos(pitch)};
+        PoseBox all = PoseBox::none();
+        for (const PoseBox &box : boxes) all.hold(box);
+        const auto middle = [&](size_t axis) { return (all.low[axis] + all.high[axis]) / 2; };
+        Fit f = {1, middle(0), middle(1), middle(2), -std::sin(pitch), -std::cos(pitch)};
         for (int round = 0; round < 8; ++round) {
-            double top = -1e9, bottom = 1e9, next = 0.1;
-            for (int corner = 0; corner < 4; ++corner) {
-                const double py = (corner & 1 ? extent_.height : 0.0) - f.target_y;
-                const double pz = (corner & 2 ? -back : extent_.half_z) - f.target_z;
+            double top = -1e9, bottom = 1e9, left = 1e9, right = -1e9, next = 0.1;
+            for (size_t corner = 0; corner < 8 * boxes.size(); ++corner) {
+                const PoseBox &box = boxes[corner / 8];
+                const double px = (corner & 1 ? box.high : box.low)[0] - f.target_x;
+                const double py = (corner & 2 ? box.high : box.low)[1] - f.target_y;
+                const double pz = (corner & 4 ? box.high : box.low)[2] - f.target_z;
                 const double up = pz * f.fy - py * f.fz, ahead = py * f.fy + pz * f.fz;
-                next = std::max({next, std::abs(up) / tall - ahead, half_x / wide - ahead});
+                next = std::max({next, std::abs(up) / tall - ahead, std::abs(px) / wide - ahead});
                 top = std::max(top, up / (f.distance + ahead));
                 bottom = std::min(bottom, up / (f.distance + ahead));
+                left = std::min(left, px / (f.distance + ahead));
+                right = std::max(right, px / (f.distance + ahead));
             }
-            if (round > 0) f.target_y += (top + bottom) / 2 * f.distance;  // equal margins above and below
+            if (round > 0) {  // equal margins
+                f.target_x += (left + right) / 2 * f.distance;
+                f.target_y += (top + bottom) / 2 * f.distance;
+            }
             f.distance = next;
         }
         return f;
     }
 
-    clq_camera frame(int rows, int columns, double aspect) const
+    // The boxes of the clips that are shown, in metres from a Reference Point.
+    void measure_clips(PosedTemplate &posed, uint32_t people)
     {
-        const Fit f = fit(rows, columns, aspect);
-        // Where a model is long and low, the rounds end anywhere, also under the ground.
-        const double eye_y = std::max(f.target_y - f.fy * f.distance, 0.05 * f.distance);
-        return look({0, eye_y, f.target_z - f.fz * f.distance}, {0, f.target_y, f.target_z}, fov_deg, aspect,
-                    f.distance * 0.02, f.distance * 40 + 100);
+        const uint32_t first = std::min(character_.first_clip, info_.clip_count), clips = info_.clip_count - first;
+        const uint32_t shown = std::min(character_.one_clip ? 1 : clips, people);
+        const uint32_t poses = std::clamp(400 / std::max(1u, shown), 3u, 33u);
+        for (uint32_t i = 0; i < shown; ++i) clip_boxes_.push_back(posed.box_of_clip(first + i, poses));
+        posed.pose(CLQ_NONE, 0);
+        if (shown == 0) clip_boxes_.push_back(posed.box());
+        for (PoseBox &box : clip_boxes_)
+            for (size_t axis = 0; axis < 3; ++axis) box.low[axis] *= extent_.scale, box.high[axis] *= extent_.scale;
     }
 
-    void take_citizen(Library &library)
+    // What the people in the middle of the first rows fill in any pose of their clips, from the ground up.
+    std::vector<PoseBox> filled(int rows, int columns) const
     {
-        character_.tmpl = library.builtin("citizen");
-        character_.has_box = true;
-        const float first[3] = {-0.35f, 0.0f, -0.2f}, last[3] = {0.35f, 1.75f, 0.2f};
-        std::copy(first, first + 3, character_.box_min);
-        std::copy(last, last + 3, character_.box_max);
+        std::vector<PoseBox> out;
+        const int first = (columns_ - columns) / 2;
+        for (int row = 0; row < rows; ++row) {
+            PoseBox all = PoseBox::none();
+            for (int column = first; column < first + columns; ++column) {
+                const size_t person = static_cast<size_t>(row * columns_ + column);
+                if (person >= scene_crowd_.places().size()) break;
+                const clq_transform &place = scene_crowd_.places()[person];
+                PoseBox box = clip_boxes_[person % clip_boxes_.size()];
+                if (box.is_none()) box = {{0, 0, 0}, {0, 0, 0}};
+                for (size_t axis = 0; axis < 3; ++axis)
+                    box.low[axis] += place.position[axis], box.high[axis] += place.position[axis];
+                box.low[1] = 0, box.high[1] = std::max(box.high[1], 0.0);
+                all.hold(box);
+            }
+            if (!all.is_none()) out.push_back(all);
+        }
+        return out;
+    }
+
+    clq_camera frame(int rows, int columns, double aspect) const
+    {
+        const Fit f = fit(filled(rows, columns), aspect, pitch_of(rows));
+        // Where a model is long and low, the rounds end anywhere, also under the ground.
+        const double eye_y = std::max(f.target_y - f.fy * f.distance, 0.05 * f.distance);
+        return look({f.target_x, eye_y, f.target_z - f.fz * f.distance}, {f.target_x, f.target_y, f.target_z}, fov_deg,
+                    aspect, f.distance * 0.02, f.distance * 40 + 100);
     }
 
     clq_play play(uint32_t person) const
@@ -238,6 +273,7 @@ private:
     SceneCrowd scene_crowd_;
     clq_template_info info_ = clq_template_info_init();
     Extent extent_;
+    std::vector<PoseBox> clip_boxes_;  // of the clips that are shown, in turn
     int columns_ = 1, rows_ = 1;
     double across_ = 1, deep_ = 1;
     Daylight light_;

@@ -21,11 +21,9 @@ namespace scenes
 // `path`: along the scene's recorded camera path if it has one, else as overview.
 enum class Shot { overview, close, path };
 
-// A character from a file. Without a box (prepared files have none) scenes use the template's sphere.
+// A character from a file.
 struct Character {
     clq_template *tmpl = nullptr;
-    bool has_box = false;
-    float box_min[3] = {0, 0, 0}, box_max[3] = {0, 0, 0};
     uint32_t first_clip = 0;  // a parade plays this one and those after it,
     bool one_clip = false;    // or this one alone, all in step from its beginning
 };

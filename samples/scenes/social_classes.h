@@ -43,6 +43,9 @@ struct SocialClass {
 // Whether a character is a file, not a built-in one.
 inline bool is_file(const std::string &character) { return character.find_first_of("./") != std::string::npos; }
 
+// Whether a file is a template that `claque prepare` wrote.
+inline bool is_prepared(const std::string &path) { return path.size() > 4 && path.substr(path.size() - 4) == ".clq"; }
+
 class SocialClasses
 {
 public:

@@ -110,19 +110,71 @@ TEST_F(PlacementOptions, SayWhatBecomesOfMaterialsThatBlend)
     EXPECT_NE(inspected({"--blend", "add"}).find("--blend"), std::string::npos);
 }
 
+// Pictures of a file, and of the template that was prepared from it, by every command that draws it.
+TEST_F(PlacementOptions, OfAPreparedFileAreThoseOfTheFileThatItWasMadeFrom)
+{
+    const std::string why = why_no_context("any");
+    if (!why.empty()) GTEST_SKIP() << why;
+    write("front.glb", {});
+    ASSERT_EQ(claque({"prepare", path("front.glb"), "--out", path("front.clq")}).code, 0);
+    const auto drawn = [&](const std::string &name, std::vector<std::string> arguments) {
+        for (std::string &word : arguments)
+            if (word == "FILE") word = path(name);
+        arguments.insert(arguments.end(), {"--out", "-"});
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    };
+    const std::vector<std::vector<std::string>> commands = {
+        {"render", "FILE", "--lod", "off", "--count", "1", "--size", "96x72"},
+        {"render", "FILE", "--lod", "off", "--count", "5", "--size", "96x72"},
+        {"variety", "FILE", "--count", "3", "--size", "160x90"},
+        {"play", path("way.csv"), "--columns", "id,frame,x,y", "--rate", "10", "--unit", "m", "--characters", "FILE",
+         "--time", "2", "--size", "96x72"}};
+    for (const std::vector<std::string> &command : commands) {
+        const std::string of_file = drawn("front.glb", command);
+        EXPECT_FALSE(of_file.empty()) << command[0];
+        EXPECT_TRUE(of_file == drawn("front.clq", command)) << command[0] << " --count " << command[5];
+    }
+    std::vector<std::string> turned = commands.back();
+    turned[9] = path("front.clq");
+    turned.insert(turned.end(), {"--turn", "180", "--out", "-"});
+    EXPECT_TRUE(says(claque(turned), "front.clq is prepared already, with claque prepare"));
+}
+
+TEST_F(PlacementOptions, HideNodesOfPeopleThatWalk)
+{
+    const std::string why = why_no_context("any");
+    if (!why.empty()) GTEST_SKIP() << why;
+    write("front.glb", {});
+    const auto played = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {
+            "play", path("way.csv"), "--columns",       "id,frame,x,y", "--rate", "10",    "--unit", "m", "--time",
+            "2",    "--characters",  path("front.glb"), "--size",       "96x72",  "--out", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
+    };
+    const Outcome whole = played({}), hidden = played({"--hide", "Head"});
+    EXPECT_EQ(hidden.code, 0) << hidden.err;
+    EXPECT_EQ(hidden.out.size(), whole.out.size());
+    EXPECT_FALSE(hidden.out == whole.out);
+    EXPECT_TRUE(says(played({"--hide", "Haed"}), "'Head'"));
+}
+
 TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
 {
     EXPECT_TRUE(says(claque({"dump", "citizen", "--turn", "180", "--out", path("d.npy")}),
-                     "citizen is built in; --turn, --height, --scale and --blend are for files"));
+                     "citizen is built in; --turn, --height, --scale, --blend and --hide are for files"));
     EXPECT_NE(claque({"dump", "citizen", "--blend", "opaque", "--out", path("d.npy")}).code, 0);
-    const std::string none = "--turn, --height, --scale and --blend are for characters of files, and none is shown";
+    const std::string none =
+        "--turn, --height, --scale, --blend and --hide are for characters of files, and none is shown";
     EXPECT_TRUE(says(tracks({"--characters", "citizen", "--turn", "180"}), none));
     EXPECT_TRUE(says(claque({"render", "--scene", "plaza", "--turn", "180", "--out", path("s.png")}), none));
     EXPECT_NE(claque({"dump", path("back.glb"), "--height", "1", "--scale", "2", "--out", path("d.npy")}).code, 0);
     ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
-    EXPECT_TRUE(
-        says(claque({"split", path("back.clq"), "--turn", "180"}),
-             "back.clq is prepared already, with claque prepare; --turn, --height, --scale and --blend are for files"));
+    EXPECT_TRUE(says(claque({"split", path("back.clq"), "--turn", "180"}),
+                     "back.clq is prepared already, with claque prepare; --turn, --height, --scale, --blend and --hide "
+                     "are for files"));
 }
 
 TEST_F(PlacementOptions, RefuseAWalkerThatFacesBackAndTurnIt)

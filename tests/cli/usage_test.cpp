@@ -246,7 +246,7 @@ TEST_F(Usage, HideIsAnOptionOfCommandsThatTakeAFile)
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("--hide"), std::string::npos) << refused.err;
     EXPECT_EQ(claque({"sheet", "--help"}).out.find("--hide"), std::string::npos);
-    for (const char *command : {"render", "bench", "inspect", "split", "prepare", "lods"})
+    for (const char *command : {"render", "play", "stage", "labels", "bench", "inspect", "split", "prepare", "lods"})
         EXPECT_NE(claque({command, "--help"}).out.find("--hide"), std::string::npos) << command;
 }
 

@@ -1,6 +1,7 @@
 // Rows of one character: whatever its proportions and wherever its file has it, it stands on the ground, and the camera
-// above it.
+// above it has all of it in the picture.
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -12,33 +13,97 @@ namespace
 
 using namespace scenes;
 
-Character of_box(clq_template *tmpl, float low, float wide, float high, float deep)
+// The corners of a box, each in a triangle. `jumps`: its clip lasts a second, and moves it up, sideways and back.
+Own<clq_template> box(Library &library, float low, float wide, float high, float deep, bool jumps = false)
+{
+    float corners[8][3];
+    uint32_t indices[8][3];
+    for (uint32_t k = 0; k < 8; ++k) {
+        corners[k][0] = k & 1 ? wide / 2 : -wide / 2;
+        corners[k][1] = k & 2 ? low + high : low;
+        corners[k][2] = k & 4 ? deep / 2 : -deep / 2;
+        for (uint32_t j = 0; j < 3; ++j) indices[k][j] = (k + j * (j + 1) / 2) % 8;
+    }
+    clq_node_def node = clq_node_def_init();
+    node.name = "box";
+    clq_part_def part = clq_part_def_init();
+    part.vertex_count = 8, part.positions = &corners[0][0], part.index_count = 24, part.indices = &indices[0][0];
+    const float times[3] = {0, 0.5f, 1}, values[9] = {0, 0, 0, 0.8f * high, 0.7f * high, 0.3f * high, 0, 0, 0};
+    clq_channel_def channel = clq_channel_def_init();
+    channel.key_count = 3, channel.times_s = times, channel.values = values;
+    clq_clip_def clip = {};
+    clip.name = "jump", clip.channel_count = 1, clip.channels = &channel;
+    clq_template_def def = clq_template_def_init();
+    def.name = "box", def.node_count = 1, def.nodes = &node, def.part_count = 1, def.parts = &part;
+    def.clip_count = jumps ? 1 : 0, def.clips = &clip;
+    clq_template *made = nullptr;
+    check(clq_template_build(library.context(), &def, &made));
+    return Own<clq_template>(made);
+}
+
+Character shown(const Own<clq_template> &tmpl)
 {
     Character character;
-    character.tmpl = tmpl, character.has_box = true;
-    const float first[3] = {-wide / 2, low, -deep / 2}, last[3] = {wide / 2, low + high, deep / 2};
-    std::copy(first, first + 3, character.box_min);
-    std::copy(last, last + 3, character.box_max);
+    character.tmpl = tmpl.get();
     return character;
 }
 
 TEST(Parade, IsSeenFromAboveTheGroundWhateverTheCharactersProportions)
 {
     Library library(1);
-    clq_template *const tmpl = library.builtin("owl");
     CrowdOptions options;
-    for (const uint32_t count : {1u, 3u, 12u})
-        for (const float low : {-1000.0f, -3.0f, 0.0f, 50.0f})
-            for (const float wide : {0.01f, 0.5f, 1.8f})
-                for (const float high : {0.001f, 0.2f, 1.8f})
-                    for (const float deep : {0.01f, 0.5f, 1.8f}) {
+    for (const float low : {-1000.0f, -3.0f, 0.0f, 50.0f})
+        for (const float wide : {0.01f, 0.5f, 1.8f})
+            for (const float high : {0.001f, 0.2f, 1.8f})
+                for (const float deep : {0.01f, 0.5f, 1.8f}) {
+                    const Own<clq_template> tmpl = box(library, low, wide, high, deep);
+                    for (const uint32_t count : {1u, 3u, 12u}) {
                         options.count = count;
-                        const auto scene = make_parade(library, options, of_box(tmpl, low, wide, high, deep));
+                        const auto scene = make_parade(library, options, shown(tmpl));
                         for (const Shot shot : {Shot::overview, Shot::close})
                             for (const double aspect : {0.5, 1.5, 3.0})
                                 EXPECT_GT(scene->camera(shot, aspect, 0).eye[1], 0)
                                     << count << " of " << wide << " x " << high << " x " << deep << " from " << low;
                     }
+                }
+}
+
+TEST(Parade, HasAllOfItsPeopleInThePictureAtAllTimesOfTheirClips)
+{
+    Library library(1);
+    const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.8f, 0.3f, true);
+    for (const uint32_t count : {1u, 2u, 12u}) {
+        CrowdOptions options;
+        options.count = count, options.exact_poses = true;
+        Character character = shown(tmpl);
+        character.one_clip = count == 1;
+        const auto scene = make_parade(library, options, character);
+        clq_actor_info info = clq_actor_info_init();
+        ASSERT_EQ(clq_actor_get_info(scene->crowd(), scene->actors()[0], &info), CLQ_OK) << clq_last_error();
+        EXPECT_NEAR(info.transform.position[1], 0, 1e-6) << "it stands on the ground where it does not jump";
+        clq_view *made = nullptr;
+        check(clq_view_create(scene->crowd(), &made));
+        const Own<clq_view> view(made);
+        const clq_camera camera = scene->camera(Shot::overview, 4.0 / 3, 0);
+        check(clq_view_set_camera(made, &camera));
+        for (const double time_s : {0.0, 0.13, 0.25, 0.37, 0.5, 0.75}) {
+            check(clq_crowd_update(scene->crowd(), time_s, &made, 1));
+            for (uint32_t i = 0; i < count; ++i) {
+                clq_drawn_actor drawn = clq_drawn_actor_init();
+                ASSERT_EQ(clq_view_get_drawn_actor(made, i, &drawn), CLQ_OK) << clq_last_error();
+                std::vector<float> xyz(3 * size_t(drawn.vertex_count));
+                ASSERT_EQ(clq_view_get_vertices(made, i, xyz.data(), nullptr, drawn.vertex_count), CLQ_OK);
+                for (size_t v = 0; v < xyz.size(); v += 3) {
+                    const auto eye = [&](size_t axis) {
+                        const float *m = drawn.model_view + axis;
+                        return double(m[0] * xyz[v] + m[4] * xyz[v + 1] + m[8] * xyz[v + 2] + m[12]);
+                    };
+                    EXPECT_LE(std::abs(eye(0) * double(camera.projection[0])), -eye(2)) << count << " at " << time_s;
+                    EXPECT_LE(std::abs(eye(1) * double(camera.projection[5])), -eye(2)) << count << " at " << time_s;
+                }
+            }
+        }
+    }
 }
 
 TEST(Parade, StandsOnTheGroundHoweverFarBelowItTheFileHasTheCharacter)
@@ -47,7 +112,8 @@ TEST(Parade, StandsOnTheGroundHoweverFarBelowItTheFileHasTheCharacter)
     CrowdOptions options;
     options.count = 5;
     for (const float low : {-1000.0f, -3.0f, 50.0f}) {
-        const auto scene = make_parade(library, options, of_box(library.builtin("owl"), low, 0.5f, 1.0f, 0.25f));
+        const Own<clq_template> tmpl = box(library, low, 0.5f, 1.0f, 0.25f);
+        const auto scene = make_parade(library, options, shown(tmpl));
         for (const clq_actor actor : scene->actors()) {
             clq_actor_info info = clq_actor_info_init();
             ASSERT_EQ(clq_actor_get_info(scene->crowd(), actor, &info), CLQ_OK) << clq_last_error();

@@ -127,8 +127,17 @@ void take_template(Library &library, Member &member, Lod lod, Heads heads)
 
 Own<clq_template> template_of_file(Library &library, const SocialClass &one)
 {
+    if (is_prepared(one.character)) {
+        if (one.placement.any())
+            throw Failure(
+                one.character +
+                " is prepared already, with claque prepare; --turn, --height, --scale, --blend and --hide, and "
+                "the like of a scenario, are for files that are not");
+        return library.load_prepared(one.character);
+    }
     clq_asset_options options = library.asset_options();
-    one.placement.give(options);
+    std::vector<const char *> hidden;
+    one.placement.give(options, hidden);
     clq_asset *asset = nullptr;
     check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));
     const Own<clq_asset> held(asset);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samples/scenes/light.h"
+#include "samples/scenes/posed_template.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
@@ -27,7 +28,12 @@ public:
           crowd_(library, crowd_options),
           sky_(crowd_options.seed, scenes::Sky::Land::studio)
     {
-        for (const scenes::Character &one : characters_) scales_.push_back(scale_of(one));
+        for (const scenes::Character &one : characters_) {
+            scenes::PosedTemplate posed(library, one.tmpl);
+            const scenes::PoseBox box = scenes::standing_box(posed, one.first_clip, one.one_clip);
+            scales_.push_back(box.size(1) > 0 ? person_m / box.size(1) : 1);
+            grounds_.push_back(box.is_none() ? 0 : box.low[1] * scales_.back());
+        }
         set_count(crowd_options.count);
     }
 
@@ -88,16 +94,6 @@ public:
     }
 
 private:
-    // Metres in a unit of a character, so that it is as tall as a person.
-    static double scale_of(const scenes::Character &character)
-    {
-        clq_template_info info = clq_template_info_init();
-        scenes::check(clq_template_get_info(character.tmpl, &info));
-        double high = 2 * static_cast<double>(info.sklsroot_radius) * 0.92;
-        if (character.has_box) high = static_cast<double>(character.box_max[1] - character.box_min[1]);
-        return high > 0 && std::isfinite(high) ? person_m / high : 1;
-    }
-
     void enter()
     {
         const size_t person = actors_.size();
@@ -147,9 +143,7 @@ private:
             const double stagger = (row % 2 == 1 ? 0.15 : -0.15) * (rows_ > 1 ? across_m : 0);
             const double x = -width_m_ / 2 + across_m / 2 + static_cast<double>(block) * step_m +
                              static_cast<double>(column) * across_m + stagger;
-            const double ground =
-                characters_[block].has_box ? static_cast<double>(characters_[block].box_min[1]) * scales_[block] : 0;
-            places_.push_back(scenes::stand(x, std::fabs(ground) < 0.15 ? 0 : -ground,
+            places_.push_back(scenes::stand(x, std::fabs(grounds_[block]) < 0.15 ? 0 : -grounds_[block],
                                             -static_cast<double>(row) * deep_m, 0, 1,
                                             static_cast<float>(scales_[block])));
         }
@@ -164,7 +158,8 @@ private:
 
     uint64_t seed_;
     std::vector<scenes::Character> characters_;
-    std::vector<double> scales_;
+    // Metres in a unit of each, so that it is as tall as a person, and the metres of its lowest point.
+    std::vector<double> scales_, grounds_;
     scenes::SceneCrowd crowd_;
     std::vector<clq_actor> actors_;
     std::vector<clq_transform> places_;
@@ -189,10 +184,6 @@ scenes::Character builtin_person(scenes::Library &library, const std::string &na
 {
     scenes::Character character;
     character.tmpl = lod == scenes::Lod::on ? library.builtin(name, {}) : library.builtin(name);
-    character.has_box = true;
-    const float first[3] = {-0.35f, 0.0f, -0.2f}, last[3] = {0.35f, 1.75f, 0.2f};
-    std::copy(first, first + 3, character.box_min);
-    std::copy(last, last + 3, character.box_max);
     return character;
 }
 
