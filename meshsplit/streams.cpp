@@ -210,8 +210,8 @@ private:
 [[noreturn]] void refuse(size_t triangles, const char *where, size_t more, uint64_t maximum)
 {
     base::fail(CLQ_LIMIT,
-               "%zu triangles%s show %zu zones besides their first, and %llu are the most for the bytes read: a zone "
-               "map with fewer zones, or with fewer specks of them, shows fewer",
+               "%zu triangles%s show %zu zones besides their first, and %llu are the most for the bytes read: a file "
+               "with fewer materials, or a zone map with fewer zones, or with fewer specks of them, shows fewer",
                triangles, where, more, base::big(maximum));
 }
 

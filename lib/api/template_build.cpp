@@ -37,7 +37,7 @@ void log_report(clq_context *context, const model::Template &t)
                           t.name.c_str(), t.report.coincident, t.report.triangles)
                 .c_str());
     if (t.report.parts > model::max_level_parts)
-        context->log.warn(base::text_of("template '%s': a level has %u parts, and %u can be culled by themselves: "
+        context->log.info(base::text_of("template '%s': a level has %u parts, and %u can be culled by themselves: "
                                         "neighbours are culled as one",
                                         t.name.c_str(), t.report.parts, model::max_level_parts)
                               .c_str());

@@ -49,8 +49,8 @@ TEST_F(Templates, PartsThatAreCulledAsOneAreLogged)
 {
     std::vector<std::string> lines;
     clq_context_def def = clq_context_def_init();
-    def.log = {&lines, [](void *user, clq_log_level, const char *text) {
-                   static_cast<std::vector<std::string> *>(user)->push_back(text);
+    def.log = {&lines, [](void *user, clq_log_level level, const char *text) {
+                   if (level == CLQ_LOG_INFO) static_cast<std::vector<std::string> *>(user)->push_back(text);
                }};
     clq_context *context = nullptr;
     ASSERT_EQ(clq_context_create(&def, &context), CLQ_OK);
