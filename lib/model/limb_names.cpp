@@ -1,5 +1,8 @@
 #include "lib/model/limb_names.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace claque::model
 {
 
@@ -22,6 +25,66 @@ uint32_t part_of(std::string_view plain)
     if (has(plain, "foot") || has(plain, "ankle")) return 2;
     return plain == "leftleg" || plain == "rightleg" || plain == "legl" || plain == "legr" ? 1 : none;  // Mixamo's shin
 }
+
+// The nodes that are named like limbs, and which of one name is the limb: a skin's joint, else a node that draws
+// nothing, else one of a rigid mesh. Of equal ones the first is the nearest to the root.
+class Limbs
+{
+public:
+    struct Limb {
+        int side, part;
+        bool operator==(const Limb &other) const { return side == other.side && part == other.part; }
+    };
+    using Flags = std::vector<bool>;  // one a node
+
+    explicit Limbs(const Rig &rig) : rig_(rig), limbs_(rig.node_count(), {-1, -1}), ranks_(rig.node_count(), 1)
+    {
+        for (uint32_t i = 0; i < rig.node_count(); ++i) {
+            const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
+            const Side side = side_of(rig.node_names[i], plain);
+            const uint32_t part = part_of(plain);
+            if (side != Side::unknown && part != none) limbs_[i] = {side == Side::left ? 0 : 1, static_cast<int>(part)};
+        }
+        constexpr math::Affine identity;
+        for (const PaletteEntry &entry : rig.palette) {
+            const bool rigid = std::equal(identity.c, identity.c + 12, entry.inverse_bind.c);
+            if (!rigid) ranks_[entry.node] = 0;
+            else if (ranks_[entry.node] == 1) ranks_[entry.node] = 2;
+        }
+    }
+
+    // The best node of this name among `allowed` (empty: all), of equal rank one of `preferred`; none: there is none.
+    uint32_t best(Limb limb, const Flags &preferred, const Flags &allowed = {}) const
+    {
+        uint32_t found = none, least = none;
+        for (uint32_t i = 0; i < rig_.node_count(); ++i) {
+            if (!(limbs_[i] == limb) || (!allowed.empty() && !allowed[i])) continue;
+            const uint32_t score = 2 * ranks_[i] + (preferred.empty() || preferred[i] ? 0 : 1);
+            if (score < least) least = score, found = i;
+        }
+        return found;
+    }
+    // Nodes above one of this name.
+    Flags above(Limb limb) const
+    {
+        Flags out(rig_.node_count());
+        for (uint32_t i = rig_.node_count(); i-- > 0;)
+            if (rig_.parents[i] != none && (out[i] || limbs_[i] == limb)) out[rig_.parents[i]] = true;
+        return out;
+    }
+    Flags below(uint32_t node) const
+    {
+        Flags out(rig_.node_count());
+        for (uint32_t i = 0; i < rig_.node_count(); ++i)
+            out[i] = rig_.parents[i] != none && (rig_.parents[i] == node || out[rig_.parents[i]]);
+        return out;
+    }
+
+private:
+    const Rig &rig_;
+    std::vector<Limb> limbs_;
+    std::vector<uint8_t> ranks_;
+};
 
 }  // namespace
 
@@ -73,18 +136,13 @@ bool is_below(const model::Rig &rig, uint32_t node, uint32_t above)
 
 void find_limbs(const Rig &rig, uint32_t (&legs)[2][4])
 {
-    for (auto &leg : legs)
-        for (uint32_t &node : leg) node = none;
-    for (uint32_t i = 0; i < rig.node_count(); ++i) {
-        const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
-        const Side side = side_of(rig.node_names[i], plain);
-        const uint32_t part = part_of(plain);
-        if (side == Side::unknown || part == none) continue;
-        uint32_t *leg = legs[side == Side::left ? 0 : 1];
-        // The first of a name is the nearest to the root. Feet may hang on the root.
-        if (leg[part] != none) continue;
-        if ((part == 1 || part == 3) && (leg[part - 1] == none || !is_below(rig, i, leg[part - 1]))) continue;
-        leg[part] = i;
+    const Limbs limbs(rig);
+    for (int side = 0; side < 2; ++side) {
+        uint32_t *leg = legs[side];
+        leg[0] = limbs.best({side, 0}, limbs.above({side, 1}));
+        leg[1] = limbs.best({side, 1}, limbs.above({side, 2}), limbs.below(leg[0]));
+        leg[2] = limbs.best({side, 2}, limbs.below(leg[1]));  // feet may hang on the root
+        leg[3] = limbs.best({side, 3}, {}, limbs.below(leg[2]));
     }
 }
 

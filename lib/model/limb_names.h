@@ -22,7 +22,9 @@ bool is_control(std::string_view plain);
 
 bool is_below(const Rig &rig, uint32_t node, uint32_t above);  // or the same
 
-// Thigh, shin, foot and toes of the left and the right leg, by their names; none where no node has one.
+// Thigh, shin, foot and toes of the left and the right leg, by their names; none where no node has one. A mesh may hang
+// on a joint and have a limb's name too: joints of skins come first, then nodes that draw nothing, and among equals one
+// below the joint before.
 void find_limbs(const Rig &rig, uint32_t (&legs)[2][4]);
 
 }  // namespace claque::model

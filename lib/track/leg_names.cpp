@@ -1,4 +1,6 @@
 // Finds thigh, shin, foot and toes of both legs, torso, neck and head by their names.
+#include <string>
+
 #include "lib/base/error.h"
 #include "lib/model/limb_names.h"
 #include "lib/track/locomotion.h"
@@ -10,12 +12,41 @@ using model::has;
 using model::is_below;
 using model::none;
 
+namespace
+{
+
+// Figures of blocks have legs without knees, which no names of nodes replace.
+void expect_knees(const model::Rig &rig, const LocomotionClips &clips)
+{
+    for (const auto &leg : clips.legs)
+        if (leg[0] != none || leg[1] != none || leg[2] != none) return;
+    uint32_t whole[2] = {none, none};
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const std::pmr::string plain = model::plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
+        const model::Side side = model::side_of(rig.node_names[i], plain);
+        if (side == model::Side::unknown || !has(plain, "leg") || model::is_control(plain)) continue;
+        uint32_t &leg = whole[side == model::Side::left ? 0 : 1];
+        if (leg != none) return;  // more than one node of a leg
+        leg = i;
+    }
+    if (whole[0] == none || whole[1] == none) return;
+    const std::string walk =
+        clips.walk < rig.clip_names.size() ? " --clip " + std::string(rig.clip_names[clips.walk]) : "";
+    base::fail(CLQ_ARGUMENT,
+               "each leg is one node ('%s', '%s'), and walkers on tracks bend thigh, shin and foot: no option replaces "
+               "joints that a file lacks; 'claque render FILE%s' shows it walking on the spot",
+               rig.node_names[whole[0]].c_str(), rig.node_names[whole[1]].c_str(), walk.c_str());
+}
+
+}  // namespace
+
 void find_legs(const model::Rig &rig, LocomotionClips &clips)
 {
     for (const auto &leg : clips.legs)
         for (const uint32_t node : leg)
             if (node != none) return;
     model::find_limbs(rig, clips.legs);
+    expect_knees(rig, clips);
     constexpr const char *sides[] = {"left", "right"}, *parts[] = {"thigh", "shin", "foot"};
     for (int side = 0; side < 2; ++side)
         for (int part = 0; part < 3; ++part)

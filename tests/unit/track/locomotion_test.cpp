@@ -1,4 +1,4 @@
-// What is measured of a walk, against what the built-in clips were written with, and names of legs.
+// What is measured of a walk, against what the built-in clips were written with.
 #include "lib/track/locomotion.h"
 
 #include <cmath>
@@ -12,29 +12,6 @@
 #include "tests/unit/track/made_tracks.h"
 
 using namespace claque;
-
-namespace
-{
-
-model::Rig rig_of(const std::vector<std::pair<const char *, int>> &nodes)
-{
-    model::Rig rig;
-    for (const auto &[name, parent] : nodes) {
-        rig.parents.push_back(parent < 0 ? model::none : static_cast<uint32_t>(parent));
-        rig.rest.emplace_back();
-        rig.node_names.emplace_back(name);
-    }
-    return rig;
-}
-
-std::vector<uint32_t> legs_of(const model::Rig &rig)
-{
-    track::LocomotionClips clips;
-    track::find_legs(rig, clips);
-    return {clips.legs[0], clips.legs[0] + 4};
-}
-
-}  // namespace
 
 TEST(Locomotion, MeasuresTheStrideThatTheWalkWasWrittenWith)
 {
@@ -140,114 +117,4 @@ TEST(Locomotion, RefusesEachWrongClipByItsName)
     EXPECT_TRUE(begins(said(clips), "the standing clip is clip 1000 of ")) << said(clips);
     clips.idle_count = track::max_idles + 1;
     EXPECT_TRUE(begins(said(clips), "5 clips to stand with: at most 4 are possible")) << said(clips);
-}
-
-TEST(LegNames, OfCommonToolsAreFound)
-{
-    using Names = std::vector<std::pair<const char *, int>>;
-    const std::vector<Names> rigs = {{{"mixamorig:Hips", -1},
-                                      {"mixamorig:LeftUpLeg", 0},
-                                      {"mixamorig:LeftLeg", 1},
-                                      {"mixamorig:LeftFoot", 2},
-                                      {"mixamorig:LeftToeBase", 3},
-                                      {"mixamorig:RightUpLeg", 0},
-                                      {"mixamorig:RightLeg", 5},
-                                      {"mixamorig:RightFoot", 6},
-                                      {"mixamorig:RightToeBase", 7}},
-                                     {{"pelvis", -1},
-                                      {"thigh_l", 0},
-                                      {"calf_l", 1},
-                                      {"foot_l", 2},
-                                      {"ball_l", 3},
-                                      {"thigh_r", 0},
-                                      {"calf_r", 5},
-                                      {"foot_r", 6},
-                                      {"ball_r", 7}},
-                                     {{"hips", -1},
-                                      {"upperleg.l", 0},
-                                      {"lowerleg.l", 1},
-                                      {"foot.l", 2},
-                                      {"toes.l", 3},
-                                      {"upperleg.r", 0},
-                                      {"lowerleg.r", 5},
-                                      {"foot.r", 6},
-                                      {"toes.r", 7}},
-                                     {{"J_Bip_C_Hips", -1},
-                                      {"J_Bip_L_UpperLeg", 0},
-                                      {"J_Bip_L_LowerLeg", 1},
-                                      {"J_Bip_L_Foot", 2},
-                                      {"J_Bip_L_ToeBase", 3},
-                                      {"J_Bip_R_UpperLeg", 0},
-                                      {"J_Bip_R_LowerLeg", 5},
-                                      {"J_Bip_R_Foot", 6},
-                                      {"J_Bip_R_ToeBase", 7}},
-                                     {{"root", -1},
-                                      {"thigh.L", 0},
-                                      {"shin.L", 1},
-                                      {"foot.L", 2},
-                                      {"toe.L", 3},
-                                      {"thigh.R", 0},
-                                      {"shin.R", 5},
-                                      {"foot.R", 6},
-                                      {"toe.R", 7}}};
-    for (const Names &names : rigs) {
-        track::LocomotionClips clips;
-        ASSERT_NO_THROW(track::find_legs(rig_of(names), clips)) << names[1].first;
-        for (uint32_t part = 0; part < 4; ++part) {
-            EXPECT_EQ(clips.legs[0][part], 1 + part) << names[1].first;
-            EXPECT_EQ(clips.legs[1][part], 5 + part) << names[1].first;
-        }
-    }
-    // Feet on the root, as rigs for inverse kinematics have them; without toes.
-    const std::vector<uint32_t> left = legs_of(rig_of({{"Bone", -1},
-                                                       {"Foot.L", 0},
-                                                       {"UpperLeg.L", 0},
-                                                       {"LowerLeg.L", 2},
-                                                       {"PoleTarget.L", 0},
-                                                       {"Foot.R", 0},
-                                                       {"UpperLeg.R", 0},
-                                                       {"LowerLeg.R", 6}}));
-    EXPECT_EQ(left, (std::vector<uint32_t>{2, 3, 1, model::none}));
-}
-
-// Every way to name a side with every word for each part; controls, which no leg has, come first.
-TEST(LegNames, OfEachSideAndPartAreFound)
-{
-    const char *const parts[4][4] = {{"thigh", "UpLeg", "UpperLeg", "legUpper"},
-                                     {"shin", "calf", "LowerLeg", "legLower"},
-                                     {"foot", "ankle", "foot", "ankle"},
-                                     {"toe", "ball", "Toes", "toe"}};
-    const std::pair<const char *, const char *> sides[][2] = {
-        {{"Left", ""}, {"Right", ""}}, {{"", "_left"}, {"", "_right"}}, {{"left ", ""}, {"right ", ""}},
-        {{"", ".L"}, {"", ".R"}},      {{"l_", ""}, {"r_", ""}},        {{"x-L-", ""}, {"x-R-", ""}},
-        {{"", "_l"}, {"", "_r"}},      {{"", "L"}, {"", "R"}}};
-    for (const auto &side : sides)
-        for (int words = 0; words < 4; ++words) {
-            std::vector<std::string> texts;
-            std::vector<std::pair<const char *, int>> nodes = {{"root", -1}};
-            for (int s = 0; s < 2; ++s)
-                for (int part = 0; part < 4; ++part)
-                    texts.push_back(side[s].first + std::string(parts[part][words]) + side[s].second);
-            std::vector<std::string> controls;
-            for (const char *word : {"twist", "ik", "pole", "roll", "control", "ctrl", "target", "end", "helper"})
-                for (const std::string &text : texts) controls.push_back(std::string(word) + "_" + text);
-            for (const std::string &control : controls) nodes.emplace_back(control.c_str(), 0);
-            const int first = static_cast<int>(nodes.size());
-            for (int k = 0; k < 8; ++k) nodes.emplace_back(texts[size_t(k)].c_str(), k % 4 ? first + k - 1 : 0);
-            track::LocomotionClips clips;
-            ASSERT_NO_THROW(track::find_legs(rig_of(nodes), clips)) << texts[0];
-            for (uint32_t s = 0; s < 2; ++s)
-                for (uint32_t part = 0; part < 4; ++part)
-                    EXPECT_EQ(clips.legs[s][part], uint32_t(first) + 4 * s + part) << texts[4 * s + part];
-        }
-}
-
-TEST(LegNames, ThatAreMissingAreNamed)
-{
-    try {
-        legs_of(rig_of({{"root", -1}, {"thigh_l", 0}, {"shin_l", 1}, {"foot_l", 2}, {"thigh_r", 0}, {"foot_r", 4}}));
-        ADD_FAILURE() << "accepted";
-    } catch (const base::Error &error) {
-        EXPECT_NE(std::string(error.what()).find("right shin"), std::string::npos) << error.what();
-    }
 }
