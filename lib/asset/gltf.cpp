@@ -39,6 +39,10 @@ void expect_gltf(const uint8_t *bytes, size_t size)
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
     const size_t first = text.find_first_not_of(" \t\r\n");
     if (first != std::string_view::npos && text[first] == '{') return;
+    if (text.substr(0, 7) == "claqueT")
+        fail(CLQ_FORMAT,
+             "it is a prepared template: clq_template_load and commands that show a character read it; parts and clips "
+             "are taken from the file of which it was made");
     fail(CLQ_FORMAT,
          "it is neither glTF nor BVH: 'claque convert FILE --out NAME.glb' makes a GLB of most other formats, such as "
          "FBX, Collada, OBJ, IQM and MD2");

@@ -23,30 +23,38 @@ struct Way {
 class Body
 {
 public:
-    explicit Body(const Rig &rig) : rig_(rig)
+    Body(const Rig &rig, const std::vector<math::Affine> &globals) : rig_(rig), globals_(globals)
     {
-        for (uint32_t i = 0; i < rig.node_count(); ++i) {
-            const math::Affine local = math::affine_of(rig.rest[i]);
-            globals_.push_back(rig.parents[i] == none ? local : math::mul(globals_[rig.parents[i]], local));
-        }
         find_limbs(rig, legs_);
     }
 
     bool stands() const
     {
-        for (const auto &leg : legs_) {
-            if (leg[0] == none || leg[2] == none) return false;
-            const glm::dvec3 d = place(leg[0]) - place(leg[2]);
+        for (int side = 0; side < 2; ++side) {
+            if (legs_[side][0] == none || low(side) == none) return false;
+            const glm::dvec3 d = place(legs_[side][0]) - place(low(side));
             if (!(d.y > 0.5 * std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z))) return false;
         }
         return true;
+    }
+
+    // Animals have no arms.
+    bool has_arms() const
+    {
+        bool found[2] = {false, false};
+        for (const std::pmr::string &name : rig_.node_names) {
+            const std::pmr::string plain = plain_name(name, rig_.parents.get_allocator().resource());
+            const Side side = side_of(name, plain);
+            if (side != Side::unknown && has(plain, "arm")) found[side == Side::right] = true;
+        }
+        return found[0] && found[1];
     }
 
     // Both feet, if they agree.
     bool by_toes(Way &out) const
     {
         for (const auto &leg : legs_) {
-            if (leg[3] == none) return false;
+            if (leg[2] == none || leg[3] == none) return false;
             const Way foot = way(leg[2], leg[3]);
             if (!(foot.length() > 0)) return false;
             out.x += foot.x / foot.length(), out.z += foot.z / foot.length();
@@ -68,7 +76,7 @@ public:
             out.x += eye.x, out.z += eye.z;
             found[side == Side::right] = true;
         }
-        const glm::dvec3 leg = place(legs_[0][0]) - place(legs_[0][2]);
+        const glm::dvec3 leg = place(legs_[0][0]) - place(low(0));
         return found[0] && found[1] && out.length() > 0.05 * leg.y;  // a head's joint may lie between the eyes
     }
 
@@ -80,6 +88,8 @@ public:
     }
 
 private:
+    // The lowest part of a leg that has a name: some rigs have the feet among their controls.
+    uint32_t low(int side) const { return legs_[side][2] != none ? legs_[side][2] : legs_[side][1]; }
     glm::dvec3 place(uint32_t node) const { return glm::dvec3(globals_[node].column(3)); }
     Way way(uint32_t from, uint32_t to) const
     {
@@ -94,15 +104,34 @@ private:
     }
 
     const Rig &rig_;
-    std::vector<math::Affine> globals_;
+    const std::vector<math::Affine> &globals_;
     uint32_t legs_[2][4] = {};
 };
 
+std::vector<math::Affine> rest_of(const Rig &rig)
+{
+    std::vector<math::Affine> globals;
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const math::Affine local = math::affine_of(rig.rest[i]);
+        globals.push_back(rig.parents[i] == none ? local : math::mul(globals[rig.parents[i]], local));
+    }
+    return globals;
+}
+
 }  // namespace
 
-Facing facing_of(const Rig &rig)
+bool is_person(const Rig &rig)
 {
-    const Body body(rig);
+    const std::vector<math::Affine> globals = rest_of(rig);
+    const Body body(rig, globals);
+    return body.stands() && body.has_arms();
+}
+
+Facing facing_of(const Rig &rig) { return facing_of(rig, rest_of(rig)); }
+
+Facing facing_of(const Rig &rig, const std::vector<math::Affine> &globals)
+{
+    const Body body(rig, globals);
     if (!body.stands()) return {};
     Way toes, eyes, legs;
     const bool has_legs = body.by_legs(legs);
@@ -117,10 +146,12 @@ Facing facing_of(const Rig &rig)
     return {};
 }
 
+int quarter_of(double heading_deg) { return static_cast<int>(std::floor((heading_deg + 225) / 90)) % 4; }
+
 const char *axis_of(double heading_deg)
 {
-    constexpr const char *axes[] = {"-z", "-x", "+z", "+x", "-z"};
-    return axes[static_cast<int>(std::floor((heading_deg + 225) / 90))];
+    constexpr const char *axes[] = {"-z", "-x", "+z", "+x"};
+    return axes[quarter_of(heading_deg)];
 }
 
 double turn_to_front_deg(double heading_deg)

@@ -4,7 +4,7 @@
 
 #include "lib/base/error.h"
 #include "lib/math/trig.h"
-#include "lib/model/facing.h"
+#include "lib/pose/facing_in_clips.h"
 
 namespace claque::track
 {
@@ -53,7 +53,7 @@ void check_direction(const model::Template &tmpl, uint32_t clip, double x, doubl
     const double length = std::sqrt(x * x + z * z);
     if (!(length > 0.1) || z < -0.5 * length) return;  // up to 60 degrees aside
     const double goes_deg = math::atan2(-x, -z) * 180 / math::pi;
-    const model::Facing facing = model::facing_of(tmpl.rig);
+    const model::Facing facing = pose::facing_in(tmpl.rig, &tmpl.motion, clip);
     const char *name = clip_name(tmpl.rig, clip), *way = z > 0.5 * length ? "forward" : "sideways";
     const double turn = model::turn_to_front_deg(goes_deg);
     if (facing.seen && !facing.is_elsewhere())

@@ -106,6 +106,58 @@ TEST_F(Facing, IsNotNamedWhereItIsRightOrNothingSaysIt)
     }
 }
 
+// A rest pose may face anywhere, as nobody sees it.
+TEST_F(Facing, IsThatOfTheClips)
+{
+    FigureTraits traits;
+    traits.rest_deg = 90;
+    EXPECT_EQ(warned(traits), "");
+    traits.heading_deg = 180, traits.rest_deg = 180;
+    EXPECT_NE(warned(traits).find("the toes of '' point to -z, and characters face +z: turn_deg 180 "),
+              std::string::npos)
+        << warned(traits);
+    traits.turns_deg = 200;
+    EXPECT_EQ(warned(traits), "") << "it faces nowhere for long";
+    traits.turns_deg = 0, traits.heading_deg = 0, traits.walks_backwards = true;
+    EXPECT_NE(refused(traits).find("its toes say that it faces +z: the clip walks backwards"), std::string::npos)
+        << refused(traits);
+}
+
+TEST_F(Facing, IsThatOfTheHipsWhereFeetAreControls)
+{
+    FigureTraits traits = facing(90);
+    traits.feet = traits.toes = traits.eyes = false;
+    EXPECT_NE(warned(traits).find("the legs of '' stand as if it faced +x, and characters face +z: turn_deg -90 "),
+              std::string::npos)
+        << warned(traits);
+}
+
+TEST_F(Facing, OfAPersonBringsAWarningOfASizeThatNobodyHas)
+{
+    FigureTraits traits;
+    traits.size = 12;
+    EXPECT_EQ(warned(traits), "") << "it has no arms, as animals";
+    traits.arms = true;
+    for (const float size : {0.4f, 1.0f, 2.0f}) {
+        traits.size = size;
+        EXPECT_EQ(warned(traits), "") << size;
+    }
+    traits.size = 12;
+    EXPECT_NE(warned(traits).find("high, and people are 0.5 to 4: height_m 1.75 (--height 1.75) or scale 0.085 "),
+              std::string::npos)
+        << warned(traits);
+    traits.size = 0.1f;
+    const std::string small = warned(traits);
+    EXPECT_NE(small.find("(--height 1.75)"), std::string::npos) << small;
+    clq_asset_options options = clq_asset_options_init();
+    options.height_m = 1.75;
+    EXPECT_EQ(warnings(load(walking_figure(traits), options).get()), "");
+    options.height_m = 0, options.scale = 1;
+    EXPECT_EQ(warnings(load(walking_figure(traits), options).get()), "") << "its size is wanted";
+    traits.lies = true;
+    EXPECT_EQ(warned(traits), "") << "it is no person that stands";
+}
+
 // As three.js's Soldier rests: toes point 58 degrees aside, hips 44.
 TEST_F(Facing, IsThatOfTheHipsWhereFeetAreTurned)
 {

@@ -18,6 +18,13 @@ struct FigureTraits {
     float feet_deg = 0;            // both are turned by this from where it faces
     bool runs = true;              // or its clip 'Run' only stands
     bool strange_names = false;    // of the legs' nodes
+    bool knees = true;             // or each leg is one node
+    bool feet = true;              // or they have the names of controls
+    float rest_deg = 0;            // it is turned by this at rest, and not in its clips
+    float turns_deg = 0;           // in its clips
+    float size = 1;
+    bool arms = false;
+    const char *before_clips = "";  // before the names of its clips
 };
 
 class WalkingFigure
@@ -35,10 +42,18 @@ public:
             children(head, {left, right});
         }
         for (int side = 0; side < 2; ++side) leg(side, hips);
-        const Four about_y = turn({0, 1, 0}, traits.heading_deg), flat = turn({1, 0, 0}, 90);
-        const int root =
-            maker_.add("nodes", {{"name", "Root"}, {"children", {hips}}, {"rotation", traits.lies ? flat : about_y}});
-        maker_.json["scenes"] = Json::array({{{"nodes", {root}}}});
+        if (traits.arms) {
+            const int left = bone("LeftArm", {0.2f, 0.45f, 0}, {0, -0.2f, 0}, {0.04f, 0.2f, 0.04f});
+            const int right = bone("RightArm", {-0.2f, 0.45f, 0}, {0, -0.2f, 0}, {0.04f, 0.2f, 0.04f});
+            children(hips, {left, right});
+        }
+        const Four about_y = turn({0, 1, 0}, traits.heading_deg + traits.rest_deg), flat = turn({1, 0, 0}, 90);
+        const float size = traits.size;
+        root_ = maker_.add("nodes", {{"name", "Root"},
+                                     {"children", {hips}},
+                                     {"rotation", traits.lies ? flat : about_y},
+                                     {"scale", {size, size, size}}});
+        maker_.json["scenes"] = Json::array({{{"nodes", {root_}}}});
         gait("Walk", 1, true);
         gait("Run", 0.5f, traits.runs);
     }
@@ -65,9 +80,16 @@ private:
             return traits_.strange_names ? strange + other : left + usual;
         };
         const float x = side == 0 ? 0.1f : -0.1f;
+        if (!traits_.knees) {
+            thighs_[side] = bone("leg-" + std::string(side == 0 ? "left" : "right"), {x, 0, 0}, {0, -0.43f, 0},
+                                 {0.06f, 0.43f, 0.06f});
+            children(hips, {thighs_[side]});
+            return;
+        }
         const int thigh = bone(name("UpLeg", "1"), {x, 0, 0}, {0, -0.2f, 0}, {0.06f, 0.2f, 0.06f});
         const int shin = bone(name("Leg", "2"), {0, -0.42f, 0}, {0, -0.2f, 0}, {0.05f, 0.2f, 0.05f});
-        const int foot = bone(name("Foot", "3"), {0, -0.4f, 0}, {0, -0.03f, 0.05f}, {0.04f, 0.02f, 0.11f});
+        const int foot =
+            bone(name(traits_.feet ? "Foot" : "FootIK", "3"), {0, -0.4f, 0}, {0, -0.03f, 0.05f}, {0.04f, 0.02f, 0.11f});
         children(hips, {thigh}), children(thigh, {shin}), children(shin, {foot});
         maker_.json["nodes"][static_cast<size_t>(foot)]["rotation"] = turn({0, 1, 0}, traits_.feet_deg);
         if (traits_.toes)
@@ -77,7 +99,8 @@ private:
     // A leg goes back straight in the first half of its cycle, and forward bent in the second one.
     void gait(const char *name, float length_s, bool moves)
     {
-        ClipMaker clip(maker_, name);
+        const std::string whole = traits_.before_clips + std::string(name);
+        ClipMaker clip(maker_, whole.c_str());
         constexpr size_t keys = 25;
         const std::vector<float> times = times_from(0, length_s / (keys - 1), keys);
         for (int side = 0; side < 2; ++side) {
@@ -91,14 +114,18 @@ private:
                 shin.push_back(moves && phase > 0.5 ? static_cast<float>(-50 * std::sin(angle)) : 0);
             }
             clip.add(thighs_[side], "rotation", "LINEAR", times, turns({1, 0, 0}, thigh));
-            clip.add(shins_[side], "rotation", "LINEAR", times, turns({1, 0, 0}, shin));
+            if (traits_.knees) clip.add(shins_[side], "rotation", "LINEAR", times, turns({1, 0, 0}, shin));
         }
+        const float from = traits_.heading_deg, turned = traits_.turns_deg;
+        if (traits_.rest_deg != 0 || turned != 0)
+            clip.add(root_, "rotation", "LINEAR", {0, length_s / 2, length_s},
+                     turns({0, 1, 0}, {from - turned / 2, from, from + turned / 2}));
         clip.finish();
     }
 
     FigureTraits traits_;
     Maker maker_;
-    int material_ = 0, thighs_[2] = {0, 0}, shins_[2] = {0, 0};
+    int material_ = 0, root_ = 0, thighs_[2] = {0, 0}, shins_[2] = {0, 0};
 };
 
 inline Bytes walking_figure(const FigureTraits &traits = {}) { return WalkingFigure(traits).glb(); }

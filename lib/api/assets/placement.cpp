@@ -5,7 +5,7 @@
 
 #include "lib/base/error.h"
 #include "lib/math/trig.h"
-#include "lib/model/facing.h"
+#include "lib/pose/facing_in_clips.h"
 
 namespace claque::api
 {
@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr double largest_scale = 1e6;
+constexpr double lowest_person = 0.5, highest_person = 4, usual_person = 1.75;  // metres
 
 bool is_scale(double scale) { return scale >= 1 / largest_scale && scale <= largest_scale; }
 
@@ -60,8 +61,9 @@ void put_above(model::Model &model, const math::Trs &placed)
 
 void name_facing(model::Model &model, double turn_deg)
 {
-    const model::Facing facing = model::facing_of(model.rig);
-    if (model.parts.empty() || !facing.is_elsewhere()) return;
+    if (model.parts.empty()) return;
+    const model::Facing facing = pose::facing_in_clips(model.rig);
+    if (!facing.is_elsewhere()) return;
     const double turn = std::fmod(turn_deg + model::turn_to_front_deg(facing.heading_deg), 360);
     const bool toes = std::string_view(facing.seen) == "toes", eyes = std::string_view(facing.seen) == "eyes";
     model.warnings.push_back(
@@ -71,6 +73,20 @@ void name_facing(model::Model &model, double turn_deg)
                       : eyes ? "look to"
                              : "stand as if it faced",
                       model::axis_of(facing.heading_deg), turn, turn));
+}
+
+// Files in centimetres, and toys.
+void name_size(model::Model &model)
+{
+    if (model.parts.empty() || !model::is_person(model.rig)) return;
+    const Box box = rest_box(model);
+    const double height = double(box.max[1]) - double(box.min[1]);
+    if (!(height > 0) || (height >= lowest_person && height <= highest_person)) return;
+    model.warnings.push_back(base::text_of(
+        "'%s' is %.3g high, and people are %g to %g: height_m %g (--height %g) or scale %.2g (--scale %.2g) makes it a "
+        "person's size; a scale of 1 keeps it",
+        model.name.c_str(), height, lowest_person, highest_person, usual_person, usual_person, usual_person / height,
+        usual_person / height));
 }
 
 }  // namespace
@@ -100,6 +116,7 @@ bool place(model::Model &model, double own_turn_deg, const clq_asset_options &op
         put_above(model, placed);
     }
     name_facing(model, given_deg);
+    if (options.height_m == 0 && options.scale == 0) name_size(model);
     return is_placed;
 }
 

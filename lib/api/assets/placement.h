@@ -18,7 +18,8 @@ Box rest_box(const model::Model &model);
 void check_placement(const clq_asset_options &options);
 
 // Puts a node above all others where the file, by its own turn, or the options ask for another facing or size; true if
-// there is one now, as node 0. Warns of a character that then faces elsewhere than +z. Throws base::Error (ARGUMENT).
+// there is one now, as node 0. Warns of a character that then faces elsewhere than +z, and of a person of another size
+// than people have where none is asked for. Throws base::Error (ARGUMENT).
 bool place(model::Model &model, double own_turn_deg, const clq_asset_options &options);
 
 // A rig as its file has it, for as long as this lives: clips are bound and converted there, so that they turn and grow
