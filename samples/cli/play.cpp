@@ -116,6 +116,8 @@ void add_play(CLI::App &app, Work &chosen)
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
     add_hide_option(*c, a->setup.of_file.placement);
+    CLI::Option *clips = add_clip_files(*c, tracks->clips);
+    c->get_option("--map")->needs(clips);
     add_placement_options(*c, a->setup.of_file.placement);
     add_picture_options(*c, a);
     c->remove_option(c->get_option("--camera"));

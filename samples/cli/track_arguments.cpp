@@ -1,8 +1,10 @@
 #include "samples/cli/track_arguments.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 
+#include "samples/cli/files.h"
 #include "samples/io/ending.h"
 #include "samples/scenes/scenario/tracks.h"
 #include "samples/scenes/walkers/cast.h"
@@ -57,6 +59,8 @@ void add_limb_options(CLI::App &command, TrackArguments &a)
          {std::pair("--torso", &a.limbs.torso), {"--neck", &a.limbs.neck}, {"--head", &a.limbs.head}})
         command.add_option(option, *name, "Node of these characters that turns with what they look at")
             ->type_name("NAME");
+    command.add_option("--walk", a.walk, "Clip by which these characters walk (default: one named walk or walking)")
+        ->type_name("NAME");
 }
 
 void add_walking_options(CLI::App &command, TrackArguments &a)
@@ -87,7 +91,7 @@ clq_trajectories_def reading_of(const TrackArguments &a)
 void refuse_track_options(const CLI::App &command)
 {
     for (const char *name : {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters",
-                             "--ground", "--legs", "--torso", "--neck", "--head"})
+                             "--ground", "--legs", "--torso", "--neck", "--head", "--walk"})
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
@@ -100,8 +104,25 @@ std::vector<std::string> names_in(const std::string &list)
     return names;
 }
 
+namespace
+{
+
+// Early, as characters take time.
+void expect_clips(const TrackArguments &a)
+{
+    if (!a.clips.map.empty()) expect_readable(a.clips.map, io::most_text_bytes);
+    for (const std::string &file : a.clips.files)
+        if (scenes::is_file(file)) expect_readable(file);
+    const std::vector<std::string> names = names_in(a.characters);
+    if (!a.clips.files.empty() && std::none_of(names.begin(), names.end(), scenes::is_file))
+        throw scenes::Failure("--clips are for characters of files, and none is shown");
+}
+
+}  // namespace
+
 scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Placement &placed)
 {
+    expect_clips(a);
     scenes::walkers::Options options;
     options.file = a.file;
     options.reading = reading_of(a);
@@ -111,6 +132,11 @@ scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Place
         if (scenes::is_file(name)) {
             one.placement = placed, one.limbs = a.limbs;
             one.limbs.legs = names_in(a.legs);
+            one.clips.walk = a.walk;
+            if (!a.clips.files.empty())
+                one.add_clips = [clips = a.clips](scenes::Library &library, clq_asset *asset) {
+                    add_clips(library, asset, clips);
+                };
         }
         options.characters.push_back(one);
     }
@@ -156,6 +182,8 @@ Json tracks_about(const TrackArguments &a)
                   {"vehicles", a.vehicles},
                   {"characters", a.characters}};
     if (!a.legs.empty()) about["legs"] = a.legs;
+    if (!a.walk.empty()) about["walk"] = a.walk;
+    for (const std::string &file : a.clips.files) about["clips"].push_back(file);
     for (const std::string &name : {a.limbs.torso, a.limbs.neck, a.limbs.head})
         if (!name.empty()) about["limbs"].push_back(name);
     return about;

@@ -10,6 +10,8 @@ namespace cli
 struct TrackArguments {
     std::string file, columns, unit, up, picture, area, characters, camera, record;
     std::string legs;            // names with commas
+    std::string walk;            // name of a clip
+    ClipArguments clips;         // more of them, of other files
     scenes::WalkingNodes limbs;  // but for the legs
     double rate_hz = 0, max_speed_m_s = 12;
     bool vehicles = false;
@@ -17,7 +19,7 @@ struct TrackArguments {
 
 // --columns, --rate, --unit, --up, --max-speed, --vehicles: how a file is read.
 void add_reading_options(CLI::App &command, TrackArguments &arguments);
-// --legs, --torso, --neck, --head: nodes of the characters of files.
+// --legs, --torso, --neck, --head, --walk: nodes and the clip of the characters of files.
 void add_limb_options(CLI::App &command, TrackArguments &arguments);
 // These, --characters and --ground: the characters that walk, and the ground below them.
 void add_walking_options(CLI::App &command, TrackArguments &arguments);

@@ -4,6 +4,7 @@
 #include <claque/template.h>
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 
 namespace scenes
 {
+
+class Library;
 
 // A class of people: its character and colours, how many they are, and what they play.
 struct SocialClass {
@@ -25,6 +28,7 @@ struct SocialClass {
     std::vector<Dye> palette = {};  // zones that are not named keep the template's own range
     std::string at = {};            // in the file that describes it, for messages
     Placement placement = {};       // of a file
+    std::function<void(Library &, clq_asset *)> add_clips = {};  // to a file, or none
 
     // Where people sit.
     uint32_t count = 0;

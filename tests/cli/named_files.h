@@ -75,6 +75,8 @@ constexpr Named all_named[] = {
     {"play", "@.csv --out $x.png --time 0", "FILE"},
     {"play", "@.clt --out $x.png --time 0", "FILE"},
     {"play", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x.png --time 0 --characters @.glb", ""},
+    {"play", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x.png --time 0 --clips @.bvh", ""},
+    {"play", "$few.csv --columns id,frame,x,y --unit m --out $x.png --time 0 --clips $x.bvh --map @.toml", ""},
     {"play", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x.png --time 0 --ground @.wkt", ""},
     {"play", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x.png --time 0 --path @.toml", ""},
     {"play", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x.png --time 0 --colours @.toml", ""},
@@ -120,6 +122,6 @@ constexpr const char *name_nothing_read =
     "--texture --texture-set --scale --class --image --propose --zone --reduce --zones-out --texture-size --html "
     "--pixels-per-degree --write --serve --rates --shots --at --commands --apart --in-turn --live --draw --stall "
     "--vary --tolerance --picture --allow-mechanisms --origin --quiet --turn --blend --legs --torso --neck --head "
-    "--nodes --colours";
+    "--walk --nodes --colours";
 
 }  // namespace cli_test

@@ -203,6 +203,52 @@ TEST_F(PlacementOptions, NameTheNodesOfLegs)
                      "has no node named B9"));
 }
 
+// As Quaternius names them.
+TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
+{
+    FigureTraits man;
+    man.before_clips = "HumanArmature|Man_";
+    write("man.glb", man);
+    const Outcome found = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(found.code, 0) << found.err;
+    man.before_clips = "Sneak";
+    write("man.glb", man);
+    const Outcome none = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_TRUE(says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME")) << none.err;
+    const Outcome named = tracks({"--characters", path("man.glb"), "--walk", "SneakWalk"});
+    EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--walk", "SneakWlak"}), "no clip named SneakWlak"));
+}
+
+TEST_F(PlacementOptions, LetAPreparedFileWalk)
+{
+    ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
+    const Outcome walks = tracks({"--characters", path("back.clq")});
+    EXPECT_EQ(walks.code, 0) << walks.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("back.clq"), "--turn", "180"}),
+                     "back.clq is prepared already, with claque prepare, which takes --turn"));
+    EXPECT_TRUE(says(claque({"inspect", "citizen", "--clips", path("back.clq")}), "it is a prepared template"));
+}
+
+TEST_F(PlacementOptions, AddClipsToWhoWalks)
+{
+    FigureTraits still, walks;
+    still.before_clips = "Other", walks.before_clips = "";
+    write("still.glb", still), write("walks.glb", walks);
+    const auto played = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {
+            "play",  path("way.csv"),   "--columns",       "id,frame,x,y", "--rate", "10",     "--unit",
+            "m",     "--characters",    path("still.glb"), "--size",       "64x48",  "--time", "1",
+            "--out", path("played.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
+    };
+    EXPECT_TRUE(says(played({}), "has no clip named walk"));
+    const Outcome outcome = played({"--clips", path("walks.glb")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
 TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)
 {
     const Outcome back = scenario("back.glb", "");

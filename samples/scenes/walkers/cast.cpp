@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <map>
 
 #include "lib/base/near_names.h"
+#include "samples/io/ending.h"
 #include "samples/scenes/template_names.h"
 
 namespace scenes::walkers
@@ -28,11 +30,23 @@ std::string name_of(const clq_template *tmpl, uint32_t clip)
     return info.name ? info.name : "";
 }
 
-// "Armature|Walk" and "Walking_A" begin with the word after a separator.
-bool is_word(const std::string &name, const std::string &word)
+// "Walk" of "Armature|Walk", in lower case.
+std::string own_name(const std::string &name)
 {
     const size_t bar = name.find_last_of("|:");
-    return lower(bar == std::string::npos ? name : name.substr(bar + 1)) == word;
+    return lower(bar == std::string::npos ? name : name.substr(bar + 1));
+}
+
+// "man_" of "man_walk", "man_run" and "man_idle": the first word of more than half of the names.
+std::string common_prefix(const std::vector<std::string> &names)
+{
+    std::map<std::string, size_t> counts;
+    for (const std::string &name : names) {
+        const size_t end = name.find('_');
+        if (end != std::string::npos && 2 * ++counts[name.substr(0, end + 1)] > names.size())
+            return name.substr(0, end + 1);
+    }
+    return "";
 }
 
 std::string clip_names(const clq_template *tmpl, uint32_t count)
@@ -41,6 +55,8 @@ std::string clip_names(const clq_template *tmpl, uint32_t count)
     for (uint32_t i = 0; i < count; ++i) names += (i ? ", " : "") + name_of(tmpl, i);
     return names.empty() ? "none" : names;
 }
+
+bool is_prepared(const std::string &character) { return io::ending_of(character) == ".clq"; }
 
 // The height of a character that stands: of its nodes' highest place over its lowest, and a little for the head.
 double height_of(const clq_template_info &info) { return static_cast<double>(info.sklsroot_centre[1]) * 2; }
@@ -100,9 +116,14 @@ uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &wor
 {
     clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
-    for (const std::string &word : words)
-        for (uint32_t i = 0; i < info.clip_count; ++i)
-            if (is_word(name_of(tmpl, i), word)) return i;
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < info.clip_count; ++i) names.push_back(own_name(name_of(tmpl, i)));
+    const std::string prefix = common_prefix(names);
+    for (const std::string &before : {std::string(), prefix})
+        for (const std::string &word : words) {
+            const auto found = std::find(names.begin(), names.end(), before + word);
+            if (found != names.end()) return static_cast<uint32_t>(found - names.begin());
+        }
     return CLQ_NONE;
 }
 
@@ -128,11 +149,10 @@ void take_template(Library &library, Member &member, Lod lod, Heads heads)
 Own<clq_template> template_of_file(Library &library, const SocialClass &one)
 {
     if (is_prepared(one.character)) {
-        if (one.placement.any())
-            throw Failure(
-                one.character +
-                " is prepared already, with claque prepare; --turn, --height, --scale, --blend and --hide, and "
-                "the like of a scenario, are for files that are not");
+        if (one.placement.any() || one.add_clips)
+            throw Failure(one.character +
+                          " is prepared already, with claque prepare, which takes --turn, --height, --scale, --blend, "
+                          "--hide and --clips");
         return library.load_prepared(one.character);
     }
     clq_asset_options options = library.asset_options();
@@ -141,6 +161,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
     clq_asset *asset = nullptr;
     check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));
     const Own<clq_asset> held(asset);
+    if (one.add_clips) one.add_clips(library, asset);
     clq_template *made = nullptr;
     check(clq_asset_build(library.context(), asset, 0, &made), one.character);
     return Own<clq_template>(made);
@@ -159,7 +180,9 @@ GaitClips gait_clips(const Member &member)
     out.idles = idles_of(member);
     if (out.walk == CLQ_NONE)
         throw Failure("the character " + member.described.character +
-                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count));
+                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count) +
+                      (info.clip_count > 0 ? "; --walk NAME, or walk in the clips of a scenario's class, chooses one"
+                                           : "; --clips FILE of play and prepare adds those of another file"));
     return out;
 }
 
@@ -181,10 +204,12 @@ Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads
     Member member;
     member.described = described;
     asked_at(described.at, [&] {
+        const bool has_size = described.placement.has_size();
+        if (!has_size && is_file(described.character) && !is_prepared(described.character))
+            member.described.placement.scale = 1;  // the file's own: no warning asks for the size that it gets below
         take_template(library, member, lod, heads);
         clq_template_info info = clq_template_info_init();
         check(clq_template_get_info(member.tmpl, &info));
-        const bool has_size = described.placement.has_size();
         if (member.own && !has_size && height_of(info) > 0) member.scale = person_m / height_of(info);
         member.locomotion = locomotion_of(library, member);
     });

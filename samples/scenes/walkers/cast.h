@@ -27,7 +27,8 @@ struct Member {
     double scale = 1;  // to the size of a person, unless the class has a size of its own
 };
 
-// The clip whose name is one of these words, alone or after a separator, whatever the case; CLQ_NONE: there is none.
+// The clip whose name is one of these words, alone, after a separator or after a word with which most clips begin
+// ("Man_Walk"), whatever the case; CLQ_NONE: there is none.
 uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words);
 
 // A class of its own for a character.
