@@ -34,9 +34,8 @@ typedef struct clq_asset_options {
     /* Facing and size. The character is placed by a node without a name above the roots of its file, node 0, so rest
      * pose, clips, morphs, root motion and clips that are added later turn and grow alike.
      * turn_deg: degrees about y, from +z towards +x; any finite number. Characters face +z. A warning names one that
-     * faces elsewhere in its clips, by its toes, eyes or legs, and the turn that it needs; without clips at rest. VRM 0.x
-     * faces -z by its specification; it
-     * is turned by 180 degrees before this. 0 (default): no further turn */
+     * faces elsewhere in its clips, by its toes, eyes or legs, and the turn that it needs; without clips at rest. VRM
+     * 0.x faces -z by its specification; it is turned by 180 degrees before this. 0 (default): no further turn */
     double turn_deg;
     /* The height of the rest pose in model units, without hidden parts: above 0, and at most 1e6 times or a millionth
      * of the file's own. 0 (default): the file's own. A file without vertices has no height. A warning names a
