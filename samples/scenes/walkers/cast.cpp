@@ -6,6 +6,7 @@
 
 #include "lib/base/near_names.h"
 #include "samples/io/ending.h"
+#include "samples/scenes/posed_template.h"
 #include "samples/scenes/template_names.h"
 
 namespace scenes::walkers
@@ -58,8 +59,12 @@ std::string clip_names(const clq_template *tmpl, uint32_t count)
 
 bool is_prepared(const std::string &character) { return io::ending_of(character) == ".clq"; }
 
-// The height of a character that stands: of its nodes' highest place over its lowest, and a little for the head.
-double height_of(const clq_template_info &info) { return static_cast<double>(info.sklsroot_centre[1]) * 2; }
+// At rest, in model units; 0 without vertices.
+double height_of(Library &library, const clq_template *tmpl)
+{
+    const PoseBox box = PosedTemplate(library, tmpl).box();
+    return box.is_none() ? 0 : box.size(1);
+}
 
 // The clip that the description names, or one with a usual name.
 uint32_t clip_of(const Member &member, const std::string &named, const std::vector<std::string> &usual)
@@ -208,9 +213,8 @@ Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads
         if (!has_size && is_file(described.character) && !is_prepared(described.character))
             member.described.placement.scale = 1;  // the file's own: no warning asks for the size that it gets below
         take_template(library, member, lod, heads);
-        clq_template_info info = clq_template_info_init();
-        check(clq_template_get_info(member.tmpl, &info));
-        if (member.own && !has_size && height_of(info) > 0) member.scale = person_m / height_of(info);
+        const double height = member.own && !has_size ? height_of(library, member.tmpl) : 0;
+        if (height > 0) member.scale = person_m / height;
         member.locomotion = locomotion_of(library, member);
     });
     return member;
