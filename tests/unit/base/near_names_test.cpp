@@ -47,7 +47,7 @@ TEST(NearNames, OfAFileAreThoseBesideIt)
     const std::filesystem::path folder = std::filesystem::path(::testing::TempDir()) / "claque_near_files";
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
-    for (const char *name : {"Soldier.glb", "Knight.glb", "Soldier.png"}) std::ofstream(folder / name) << name;
+    for (const char *name : {"Soldier.glb", "Knight.glb", "Soldier.png", "e.glb"}) std::ofstream(folder / name) << name;
     EXPECT_EQ(base::near_files(folder / "Soldie.glb"), ": 'Soldier.glb' is near");
     EXPECT_EQ(base::near_files(folder / "walk.bvh"), "");
     EXPECT_EQ(base::near_files(folder / "none" / "Soldier.glb"), "");
