@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "samples/scenes/posed_template.h"
+#include "samples/scenes/template_names.h"
 
 namespace cli
 {
@@ -37,18 +38,8 @@ Portraits::~Portraits()
 clq_play Portraits::pose() const
 {
     clq_play play = {};
-    play.clip = clq_template_find_clip(loaded_.tmpl.get(), "stand");
-    const uint32_t count = info_of(loaded_.tmpl.get()).clip_count;
-    for (const char *word : {"idle", "stand"})
-        for (uint32_t i = 0; i < count && play.clip == CLQ_NONE; ++i) {
-            clq_clip_info clip = clq_clip_info_init();
-            check(clq_template_get_clip(loaded_.tmpl.get(), i, &clip));
-            std::string name = clip.name;
-            for (char &letter : name)
-                if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
-            if (name.find(word) != std::string::npos) play.clip = i;
-        }
-    if (play.clip == CLQ_NONE && count > 0) play.clip = 0;
+    play.clip = scenes::standing_clip(loaded_.tmpl.get());
+    if (play.clip == CLQ_NONE && info_of(loaded_.tmpl.get()).clip_count > 0) play.clip = 0;
     return play;
 }
 

@@ -1,4 +1,4 @@
-// What a template calls its clips and nodes, for sentences about names that it has not.
+// The names of a template's clips and nodes, for sentences about a name that is absent, and a clip found by its name.
 #pragma once
 
 #include <string>
@@ -11,5 +11,7 @@ namespace scenes
 
 std::vector<std::string> names_of_clips(const clq_template *tmpl);
 std::vector<std::string> names_of_nodes(const clq_template *tmpl);
+// "stand", else the first clip whose name holds "idle", else "stand", in any case of letters; CLQ_NONE: no clip.
+uint32_t standing_clip(const clq_template *tmpl);
 
 }  // namespace scenes

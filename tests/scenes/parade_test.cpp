@@ -13,8 +13,9 @@ namespace
 
 using namespace scenes;
 
-// The corners of a box, each in a triangle. `jumps`: its clip lasts a second, and moves it up, sideways and back.
-Own<clq_template> box(Library &library, float low, float wide, float high, float deep, bool jumps = false)
+// The corners of a box, each in a triangle. Each clip lasts a second, and moves it up, sideways and back.
+Own<clq_template> box(Library &library, float low, float wide, float high, float deep,
+                      const std::vector<const char *> &clips = {})
 {
     float corners[8][3];
     uint32_t indices[8][3];
@@ -31,11 +32,12 @@ Own<clq_template> box(Library &library, float low, float wide, float high, float
     const float times[3] = {0, 0.5f, 1}, values[9] = {0, 0, 0, 0.8f * high, 0.7f * high, 0.3f * high, 0, 0, 0};
     clq_channel_def channel = clq_channel_def_init();
     channel.key_count = 3, channel.times_s = times, channel.values = values;
-    clq_clip_def clip = {};
-    clip.name = "jump", clip.channel_count = 1, clip.channels = &channel;
+    std::vector<clq_clip_def> jumps(clips.size());
+    for (size_t i = 0; i < clips.size(); ++i)
+        jumps[i].name = clips[i], jumps[i].channel_count = 1, jumps[i].channels = &channel;
     clq_template_def def = clq_template_def_init();
     def.name = "box", def.node_count = 1, def.nodes = &node, def.part_count = 1, def.parts = &part;
-    def.clip_count = jumps ? 1 : 0, def.clips = &clip;
+    def.clip_count = static_cast<uint32_t>(jumps.size()), def.clips = jumps.data();
     clq_template *made = nullptr;
     check(clq_template_build(library.context(), &def, &made));
     return Own<clq_template>(made);
@@ -71,7 +73,7 @@ TEST(Parade, IsSeenFromAboveTheGroundWhateverTheCharactersProportions)
 TEST(Parade, HasAllOfItsPeopleInThePictureAtAllTimesOfTheirClips)
 {
     Library library(1);
-    const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.8f, 0.3f, true);
+    const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.8f, 0.3f, {"jump"});
     for (const uint32_t count : {1u, 2u, 12u}) {
         CrowdOptions options;
         options.count = count, options.exact_poses = true;
@@ -104,6 +106,33 @@ TEST(Parade, HasAllOfItsPeopleInThePictureAtAllTimesOfTheirClips)
             }
         }
     }
+}
+
+// Files with their clips in the order of the alphabet begin with "Death".
+TEST(Parade, BeginsWithAClipThatIsNamedForStanding)
+{
+    Library library(1);
+    CrowdOptions options;
+    options.count = 4;
+    const auto order = [&](const std::vector<const char *> &clips, uint32_t first) {
+        const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.8f, 0.3f, clips);
+        Character character = shown(tmpl);
+        character.first_clip = first;
+        const auto scene = make_parade(library, options, character);
+        std::vector<uint32_t> found;
+        for (const clq_actor actor : scene->actors()) {
+            clq_active_clip playing[CLQ_ACTIVE_CLIP_MAX];
+            uint32_t count = 0;
+            check(clq_actor_get_active_clips(scene->crowd(), actor, 0, playing, &count));
+            found.push_back(count == 1 ? playing[0].clip : CLQ_NONE);
+        }
+        return found;
+    };
+    EXPECT_EQ(order({"Death", "Armature|Idle_Loop", "Walk"}, 0), (std::vector<uint32_t>{1, 2, 0, 1}));
+    EXPECT_EQ(order({"Death", "STANDING", "idle"}, 0), (std::vector<uint32_t>{2, 0, 1, 2}));
+    EXPECT_EQ(order({"Death", "Walk"}, 0), (std::vector<uint32_t>{0, 1, 0, 1}));
+    EXPECT_EQ(order({"Death", "Idle", "Walk", "Run"}, 2), (std::vector<uint32_t>{2, 3, 2, 3}))
+        << "clips that were added";
 }
 
 TEST(Parade, StandsOnTheGroundHoweverFarBelowItTheFileHasTheCharacter)
