@@ -169,7 +169,10 @@ TEST_F(Treadmills, RefuseCharactersThatCannotWalk)
         performer.perform(role, 0);
         FAIL() << "an owl walks";
     } catch (const Failure &failure) {
-        EXPECT_EQ(std::string(failure.what()), "the character owl has no clip named walk; it has: fly, glide, hover");
+        EXPECT_EQ(std::string(failure.what())
+                      .rfind("the character owl has no clip named walk; it has: fly, glide, hover;", 0),
+                  0u)
+            << failure.what();
     }
     EXPECT_FALSE(performer.given().motion.treadmill_m_s);
 }
