@@ -59,8 +59,11 @@ public:
         if (!character_.tmpl) character_.tmpl = library.builtin("citizen");
         PosedTemplate posed(library, character_.tmpl);
         info_ = posed.info();
+        first_ = std::min(character_.first_clip, info_.clip_count);
+        clips_ = std::min(info_.clip_count - first_, character_.one_clip ? 1 : info_.clip_count);
+        // Files with their clips in the order of the alphabet begin with "Death".
         const uint32_t stands = standing_clip(character_.tmpl);
-        if (character_.first_clip == 0 && !character_.one_clip && stands != CLQ_NONE) lead_ = stands;
+        if (first_ == 0 && !character_.one_clip && stands != CLQ_NONE) lead_ = stands;
         extent_ = extent_of(standing_box(posed, character_.first_clip, character_.one_clip));
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
@@ -165,18 +168,12 @@ private:
         return f;
     }
 
-    // The first person stands, where a clip is named for it: many files begin with "Death".
-    uint32_t clip_of(uint32_t person) const
-    {
-        const uint32_t first = std::min(character_.first_clip, info_.clip_count), clips = info_.clip_count - first;
-        return clips == 0 ? CLQ_NONE : first + (lead_ + person) % clips;
-    }
+    uint32_t clip_of(uint32_t person) const { return clips_ ? first_ + (lead_ + person) % clips_ : CLQ_NONE; }
 
     // The boxes of the clips that are shown, in metres from a Reference Point.
     void measure_clips(PosedTemplate &posed, uint32_t people)
     {
-        const uint32_t first = std::min(character_.first_clip, info_.clip_count), clips = info_.clip_count - first;
-        const uint32_t shown = std::min(character_.one_clip ? 1 : clips, people);
+        const uint32_t shown = std::min(clips_, people);
         const uint32_t poses = std::clamp(400 / std::max(1u, shown), 3u, 33u);
         for (uint32_t i = 0; i < shown; ++i) clip_boxes_.push_back(posed.box_of_clip(clip_of(i), poses));
         posed.pose(CLQ_NONE, 0);
@@ -220,12 +217,8 @@ private:
     clq_play play(uint32_t person) const
     {
         clq_play play = {};
-        const uint32_t first = std::min(character_.first_clip, info_.clip_count);
-        play.clip = clip_of(person);
-        if (character_.one_clip) {
-            play.clip = first, play.speed = 1;
-            return play;
-        }
+        play.clip = clip_of(person), play.speed = 1;
+        if (character_.one_clip) return play;
         play.speed = static_cast<float>(random_between(seed_, person, Purpose::speed, 0.9, 1.1));
         clq_clip_info clip = clq_clip_info_init();
         if (play.clip != CLQ_NONE && clq_template_get_clip(character_.tmpl, play.clip, &clip) == CLQ_OK)
@@ -283,8 +276,8 @@ private:
     SceneCrowd scene_crowd_;
     clq_template_info info_ = clq_template_info_init();
     Extent extent_;
-    uint32_t lead_ = 0;                // the first person's clip, of those that are shown
-    std::vector<PoseBox> clip_boxes_;  // of the clips that are shown, in turn
+    uint32_t first_ = 0, clips_ = 0, lead_ = 0;  // the clips that are shown; which of these the first person shows
+    std::vector<PoseBox> clip_boxes_;            // of the clips that are shown, in turn
     int columns_ = 1, rows_ = 1;
     double across_ = 1, deep_ = 1;
     Daylight light_;

@@ -114,10 +114,10 @@ TEST(Parade, BeginsWithAClipThatIsNamedForStanding)
     Library library(1);
     CrowdOptions options;
     options.count = 4;
-    const auto order = [&](const std::vector<const char *> &clips, uint32_t first) {
+    const auto order = [&](const std::vector<const char *> &clips, uint32_t first, bool one = false) {
         const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.8f, 0.3f, clips);
         Character character = shown(tmpl);
-        character.first_clip = first;
+        character.first_clip = first, character.one_clip = one;
         const auto scene = make_parade(library, options, character);
         std::vector<uint32_t> found;
         for (const clq_actor actor : scene->actors()) {
@@ -133,6 +133,7 @@ TEST(Parade, BeginsWithAClipThatIsNamedForStanding)
     EXPECT_EQ(order({"Death", "Walk"}, 0), (std::vector<uint32_t>{0, 1, 0, 1}));
     EXPECT_EQ(order({"Death", "Idle", "Walk", "Run"}, 2), (std::vector<uint32_t>{2, 3, 2, 3}))
         << "clips that were added";
+    EXPECT_EQ(order({"Death", "Idle", "Walk", "Run"}, 2, true), (std::vector<uint32_t>{2, 2, 2, 2}));
 }
 
 TEST(Parade, StandsOnTheGroundHoweverFarBelowItTheFileHasTheCharacter)
