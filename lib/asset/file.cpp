@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "lib/base/error.h"
-#include "lib/base/near_names.h"
+#include "lib/base/near_files.h"
 
 namespace claque::asset
 {

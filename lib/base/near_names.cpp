@@ -1,7 +1,6 @@
 #include "lib/base/near_names.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <numeric>
 #include <utility>
 
@@ -80,21 +79,6 @@ std::string near_names(std::string_view wanted, const std::vector<std::string_vi
             told.push_back(names[one.at]);
     }
     return told.empty() ? "" : joined(told, "'", " and ") + (told.size() == 1 ? " is near" : " are near");
-}
-
-std::string near_files(const std::string &path)
-{
-    const std::filesystem::path wanted(path);
-    const size_t letters = wanted.stem().string().size();
-    std::error_code error;
-    std::filesystem::directory_iterator at(wanted.has_parent_path() ? wanted.parent_path() : ".", error), end;
-    std::vector<std::string> names;
-    // "e.glb" is a part of "Soldie.glb" by its ending.
-    for (; !error && at != end && names.size() < most_compared; at.increment(error))
-        if (2 * at->path().stem().string().size() >= letters) names.push_back(at->path().filename().string());
-    std::sort(names.begin(), names.end());
-    const std::string near = near_names(wanted.filename().string(), names);
-    return near.empty() ? "" : ": " + near;
 }
 
 std::string names_near(std::string_view wanted, const std::vector<std::string_view> &names)

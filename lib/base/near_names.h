@@ -14,8 +14,6 @@ namespace claque::base
 std::string names_near(std::string_view wanted, const std::vector<std::string_view> &names);
 // "'Walk' and 'Walk_Back' are near" alone, or "".
 std::string near_names(std::string_view wanted, const std::vector<std::string_view> &names);
-// ": 'Soldier.glb' is near" of the files beside a file that is not there, or "".
-std::string near_files(const std::string &path);
 
 // Both for any range of texts.
 template <class Names>

@@ -5,7 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "lib/base/near_names.h"
+#include "lib/base/near_files.h"
 #include "samples/io/files.h"
 
 namespace io

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/base/near_files.h"
+
 namespace claque::testing
 {
 namespace
