@@ -100,8 +100,7 @@ public:
     {
         g.Disable(gl::lighting);
         ground_.draw(g);
-        sky_.draw(g, eye);
-        g.Disable(gl::lighting);
+        sky_.draw(g, eye);  // lighting is on again
         if (paints_people_) shadows_.draw(g);
     }
 
@@ -122,7 +121,7 @@ private:
         }
     }
 
-    // What rows of people fill who stand, from the middle of the first.
+    // The space of rows of standing people, from the middle of the first.
     PoseBox room(int rows, int columns) const
     {
         const double half_x =
@@ -182,7 +181,7 @@ private:
             for (size_t axis = 0; axis < 3; ++axis) box.low[axis] *= extent_.scale, box.high[axis] *= extent_.scale;
     }
 
-    // What the people in the middle of the first rows fill in any pose of their clips, from the ground up.
+    // The space of the people in the middle of the first rows, in all poses of their clips, from the ground up.
     std::vector<PoseBox> filled(int rows, int columns) const
     {
         std::vector<PoseBox> out;

@@ -129,6 +129,19 @@ TEST_F(Render, ShadowsByClaqueAreAnotherPictureAndSkinNothing)
     EXPECT_NE(seats.err.find("'odeon' has no ground that shadows could fall on"), std::string::npos) << seats.err;
 }
 
+TEST_F(Render, APersonIsInTheSameLightWithEveryKindOfShadows)
+{
+    const auto upper_half = [&](const char *kind) {
+        const Outcome drawn = claque(
+            {"render", "citizen", "--count", "1", "--lod", "off", "--size", "96x72", "--shadows", kind, "--out", "-"});
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_EQ(drawn.out.size(), 96u * 72 * 3);
+        return drawn.out.substr(0, drawn.out.size() / 2);
+    };
+    const std::string none = upper_half("none");
+    for (const char *kind : {"mesh", "blob"}) EXPECT_TRUE(upper_half(kind) == none) << kind;
+}
+
 TEST_F(Render, BenchComparesKindsOfShadowsInOneRun)
 {
     const Outcome done = claque({"bench", "plaza", "--count", "20", "--frames", "2", "--size", "96x72", "--shadows",

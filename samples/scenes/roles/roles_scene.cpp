@@ -67,6 +67,7 @@ public:
         sky_.draw(g, eye);
         g.Disable(gl::lighting);
         for (const auto &one : performers_) one->draw_ground(g, eye, time_s_);
+        g.Enable(gl::lighting);
     }
 
     bool can_cull_by_tile() const override { return false; }  // what people carry follows their poses
