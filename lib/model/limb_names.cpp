@@ -26,8 +26,8 @@ uint32_t part_of(std::string_view plain)
     return plain == "leftleg" || plain == "rightleg" || plain == "legl" || plain == "legr" ? 1 : none;  // Mixamo's shin
 }
 
-// The nodes that are named like limbs, and which of one name is the limb: a skin's joint, else a node that draws
-// nothing, else one of a rigid mesh. Of equal ones the first is the nearest to the root.
+// Nodes with the names of limbs. Several may share a name: a skin's joint is the limb, else a node that draws nothing,
+// else one of a rigid mesh. The first of equals is the nearest to the root.
 class Limbs
 {
 public:

@@ -21,7 +21,7 @@ model::Facing facing_at(const model::Rig &rig, Workspace &work, uint32_t clip, d
     return model::facing_of(rig, globals);
 }
 
-// At the middle, if it faces there at other moments too: dancers turn, and who falls says nothing.
+// At the middle, if it faces there at other moments too: dancers turn, and falls show no facing.
 model::Facing steady_facing(const model::Rig &rig, Workspace &work, uint32_t clip)
 {
     const model::Facing middle = facing_at(rig, work, clip, 0.5);

@@ -1,4 +1,4 @@
-// Where a person faces in its clips: the rest pose of a file may face elsewhere, and clips are what is shown.
+// The facing of a person in its clips, as pictures show clips. The rest pose of a file may face elsewhere.
 #pragma once
 
 #include "lib/model/facing.h"

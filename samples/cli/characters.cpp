@@ -59,7 +59,7 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
     }
     if (status == CLQ_LIMIT)
         clq_context_log(library.context(), CLQ_LOG_WARNING,
-                        (std::string("no levels of detail: ") + clq_last_error()).c_str());
+                        (path + " is shown in full at every distance, as with --lod off: " + clq_last_error()).c_str());
     else if (status != CLQ_ARGUMENT) check(status, path);
     return made;
 }
@@ -94,6 +94,12 @@ bool is_other_format(const std::string &path)
            (path.size() > ogre.size() && path.compare(path.size() - ogre.size(), ogre.size(), ogre) == 0);
 }
 
+FileArguments in_own_size(FileArguments of_file, const std::string &path)
+{
+    if (scenes::is_file(path) && !is_prepared(path) && !of_file.placement.has_size()) of_file.placement.scale = 1;
+    return of_file;
+}
+
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path, const FileArguments &of_file,
                                   const ClipArguments &clips, uint32_t *first_clip)
 {
@@ -118,9 +124,10 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
     return asset;
 }
 
-LoadedCharacter load_character(scenes::Library &library, const std::string &path, const FileArguments &of_file,
+LoadedCharacter load_character(scenes::Library &library, const std::string &path, const FileArguments &given,
                                const ClipArguments &clips, scenes::Lod levels)
 {
+    const FileArguments of_file = in_own_size(given, path);
     LoadedCharacter loaded;
     if (!is_prepared(path)) loaded.asset = load_asset(library, path, of_file, clips, &loaded.first_clip);
     if (loaded.asset && info_of(loaded.asset.get()).vertex_count == 0 && info_of(loaded.asset.get()).clip_count > 0)

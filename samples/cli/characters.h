@@ -26,6 +26,9 @@ using scenes::is_prepared;
 // Whether a file's name ends as those of formats that only `claque convert` reads. Its content decides.
 bool is_other_format(const std::string &path);
 
+// With the file's own size where none is given. No warning then asks for another one: pictures of a character and
+// transfers of its clips have the same result in any size.
+FileArguments in_own_size(FileArguments of_file, const std::string &path);
 // Both throw Failure with the path in the message. `first_clip`: the first to show, see add_clips.
 scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &path, const FileArguments &of_file = {},
                                   const ClipArguments &clips = {}, uint32_t *first_clip = nullptr);

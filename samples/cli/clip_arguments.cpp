@@ -97,11 +97,8 @@ uint32_t add_clips(scenes::Library &library, clq_asset *asset, const ClipArgumen
     const clq_asset_info before = info_of(asset);
     ClipArguments source_arguments;
     source_arguments.unit_m = map.unit_m;
-    FileArguments as_it_is;
-    as_it_is.placement.scale = 1;  // nobody sees how large it is
     for (const std::string &file : a.files) {
-        const scenes::Own<clq_asset> source =
-            load_asset(library, file, scenes::is_file(file) ? as_it_is : FileArguments(), source_arguments);
+        const scenes::Own<clq_asset> source = load_asset(library, file, in_own_size({}, file), source_arguments);
         scenes::check(clq_asset_add_clips(library.context(), asset, source.get(), &def, nullptr), file);
     }
     return before.clip_count;

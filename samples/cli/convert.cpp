@@ -70,7 +70,11 @@ void add_convert(CLI::App &app, Work &chosen)
     c->add_option("--seconds", a->limits.seconds, "Time limit of Assimp in seconds")
         ->capture_default_str()
         ->check(CLI::Range(1, 3600));
-    c->callback([a, &chosen] { chosen = [a] { convert_old(*a); }; });
+    c->callback([a, &chosen] {
+        if (is_other_format(a->out))
+            throw CLI::ValidationError("--out", "'" + a->out + "' would hold a GLB, so its name must end in .glb");
+        chosen = [a] { convert_old(*a); };
+    });
 }
 
 }  // namespace cli

@@ -214,7 +214,10 @@ void inspect(const InspectArguments &a)
         report["loaded"] = asset_json(asset.get());
         if (a.nodes) add_names(asset.get(), report);
         clq_template *made = nullptr;
-        if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
+        const clq_asset_info info = info_of(asset.get());
+        if (info.vertex_count == 0 && info.clip_count > 0)
+            report["not_split"] = "clips alone: --clips " + a.file + " adds them to a character";
+        else if (clq_asset_build(library.context(), asset.get(), 0, &made) == CLQ_OK)
             split(scenes::Own<clq_template>(made).get());
         else report["not_split"] = clq_last_error();  // points and lines load, but cannot be split
     }

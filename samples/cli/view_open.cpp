@@ -88,7 +88,8 @@ LoadedCharacter load_textured(scenes::Library &library, const ViewWhat &what)
     if (is_prepared(what.setup.file))
         throw scenes::Failure(what.setup.file + " is prepared, and takes no other texture");
     LoadedCharacter loaded;
-    loaded.asset = load_asset(library, what.setup.file, what.setup.of_file, what.clips, &loaded.first_clip);
+    const FileArguments of_file = in_own_size(what.setup.of_file, what.setup.file);
+    loaded.asset = load_asset(library, what.setup.file, of_file, what.clips, &loaded.first_clip);
     for (const std::string &path : what.textures) add_texture(library, loaded.asset.get(), path);
     clq_template *made = nullptr;
     scenes::check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), what.setup.file);
@@ -146,7 +147,8 @@ view::Opened open_view(const ViewWhat &what, scenes::Library &library)
     opened.dress = [what](scenes::Library &, const scenes::Scene &scene) { dress(what, scene); };
     opened.asset_of = [what](scenes::Library &of, const std::string &name) {
         if (what.setup.file.empty()) return load_asset(of, name);
-        scenes::Own<clq_asset> asset = load_asset(of, what.setup.file, what.setup.of_file, what.clips);
+        const FileArguments of_file = in_own_size(what.setup.of_file, what.setup.file);
+        scenes::Own<clq_asset> asset = load_asset(of, what.setup.file, of_file, what.clips);
         for (const std::string &path : what.textures) add_texture(of, asset.get(), path);
         return asset;
     };

@@ -25,14 +25,19 @@ std::vector<std::string> names_of_nodes(const clq_template *tmpl)
     return names;
 }
 
+std::string lower_case(std::string name)
+{
+    for (char &letter : name)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return name;
+}
+
 uint32_t standing_clip(const clq_template *tmpl)
 {
     const uint32_t stand = clq_template_find_clip(tmpl, "stand");
     if (stand != CLQ_NONE) return stand;
     std::vector<std::string> names = names_of_clips(tmpl);
-    for (std::string &name : names)
-        for (char &letter : name)
-            if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    for (std::string &name : names) name = lower_case(name);
     for (const char *word : {"idle", "stand"})
         for (size_t i = 0; i < names.size(); ++i)
             if (names[i].find(word) != std::string::npos) return static_cast<uint32_t>(i);

@@ -11,6 +11,7 @@ namespace scenes
 
 std::vector<std::string> names_of_clips(const clq_template *tmpl);
 std::vector<std::string> names_of_nodes(const clq_template *tmpl);
+std::string lower_case(std::string name);
 // "stand", else the first clip whose name holds "idle", else "stand", in any case of letters; CLQ_NONE: no clip.
 uint32_t standing_clip(const clq_template *tmpl);
 

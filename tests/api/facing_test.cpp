@@ -106,7 +106,7 @@ TEST_F(Facing, IsNotNamedWhereItIsRightOrNothingSaysIt)
     }
 }
 
-// A rest pose may face anywhere, as nobody sees it.
+// A rest pose may face anywhere: pictures show clips.
 TEST_F(Facing, IsThatOfTheClips)
 {
     FigureTraits traits;
@@ -132,7 +132,7 @@ TEST_F(Facing, IsThatOfTheHipsWhereFeetAreControls)
         << warned(traits);
 }
 
-TEST_F(Facing, OfAPersonBringsAWarningOfASizeThatNobodyHas)
+TEST_F(Facing, WarnsOfAPersonOfAnotherSizeThanPeopleHave)
 {
     FigureTraits traits;
     traits.size = 12;

@@ -191,7 +191,7 @@ TEST_F(Clips, AMotionFileAloneIsASkeletonWithoutAnythingToSplit)
     const Json alone = report({path("bow.bvh"), "--unit", "0.0254"});
     EXPECT_EQ(alone["loaded"]["nodes"].get<int>(), 3) << "two joints and an end";
     EXPECT_EQ(alone["loaded"]["clips"].size(), 1u);
-    EXPECT_TRUE(alone.contains("not_split"));
+    EXPECT_NE(alone.at("not_split").get<std::string>().find("clips alone: --clips "), std::string::npos);
 }
 
 // The least that the help names is the number of a person's own clips.

@@ -142,6 +142,30 @@ TEST_F(PlacementOptions, OfAPreparedFileAreThoseOfTheFileThatItWasMadeFrom)
     EXPECT_TRUE(says(claque(turned), "front.clq is prepared already, with claque prepare"));
 }
 
+// Pictures scale a character to the size of a person; a prepared file keeps its size.
+TEST_F(PlacementOptions, AreAskedForASizeWhereItMatters)
+{
+    FigureTraits giant;
+    giant.arms = true, giant.size = 12;
+    write("giant.glb", giant);
+    for (const std::vector<std::string> &asks : {std::vector<std::string>{"inspect", path("giant.glb")},
+                                                 {"prepare", path("giant.glb"), "--out", path("giant.clq")},
+                                                 {"lods", path("giant.glb")}})
+        EXPECT_TRUE(says(claque(asks), "--height 1.75")) << asks[0];
+    const std::string why = why_no_context("any");
+    if (!why.empty()) GTEST_SKIP() << why;
+    for (const std::vector<std::string> &draws :
+         {std::vector<std::string>{"render", path("giant.glb"), "--count", "1", "--lod", "off"},
+          {"render", path("giant.glb"), "--count", "1"},
+          {"variety", path("giant.glb"), "--count", "1"}}) {
+        std::vector<std::string> arguments = draws;
+        arguments.insert(arguments.end(), {"--size", "160x90", "--out", path("giant.png")});
+        const Outcome drawn = claque(arguments);
+        EXPECT_EQ(drawn.code, 0) << drawn.err;
+        EXPECT_EQ(drawn.err, "") << draws[0];
+    }
+}
+
 TEST_F(PlacementOptions, HideNodesOfPeopleThatWalk)
 {
     const std::string why = why_no_context("any");
@@ -215,10 +239,23 @@ TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
     write("man.glb", man);
     const Outcome none = tracks({"--characters", path("man.glb")});
     EXPECT_EQ(none.code, 1);
-    EXPECT_TRUE(says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME")) << none.err;
+    EXPECT_TRUE(
+        says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME where people walk on tracks"))
+        << none.err;
     const Outcome named = tracks({"--characters", path("man.glb"), "--walk", "SneakWalk"});
     EXPECT_EQ(named.code, 0) << named.err;
     EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--walk", "SneakWlak"}), "no clip named SneakWlak"));
+}
+
+// As Mixamo and Blender number them.
+TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
+{
+    FigureTraits man;
+    man.before_clips = "M_", man.after_clips = "_001";
+    write("man.glb", man);
+    const Outcome found = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(found.code, 0) << found.err;
+    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --clips"));
 }
 
 TEST_F(PlacementOptions, LetAPreparedFileWalk)

@@ -65,6 +65,14 @@ TEST_F(ConvertCommand, NodesThatAreNestedTooDeepAreOneSentence)
     expect_refused(file_of("deep.x", frames(600)), {"deep.x", "its nodes are nested too deep"});
 }
 
+TEST_F(ConvertCommand, RefusesANameOfAnotherFormatForItsGlb)
+{
+    const Outcome outcome = claque({"convert", path("a.fbx"), "--out", path("b.fbx")});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_NE(outcome.err.find("b.fbx' would hold a GLB, so its name must end in .glb"), std::string::npos)
+        << outcome.err;
+}
+
 TEST_F(ConvertCommand, WhatIsNoModelIsRefusedByName)
 {
     expect_refused(file_of("notes.txt", "nothing"), {"notes.txt", "Assimp"});

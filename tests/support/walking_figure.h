@@ -24,7 +24,7 @@ struct FigureTraits {
     float turns_deg = 0;           // in its clips
     float size = 1;
     bool arms = false;
-    const char *before_clips = "";  // before the names of its clips
+    const char *before_clips = "", *after_clips = "";  // of the names of its clips
 };
 
 class WalkingFigure
@@ -99,7 +99,7 @@ private:
     // A leg goes back straight in the first half of its cycle, and forward bent in the second one.
     void gait(const char *name, float length_s, bool moves)
     {
-        const std::string whole = traits_.before_clips + std::string(name);
+        const std::string whole = traits_.before_clips + std::string(name) + traits_.after_clips;
         ClipMaker clip(maker_, whole.c_str());
         constexpr size_t keys = 25;
         const std::vector<float> times = times_from(0, length_s / (keys - 1), keys);

@@ -19,8 +19,8 @@ constexpr double pixels = 4096;       // of the finest size along the longest si
 constexpr double small = 80;          // pixels along the longest side at which the shape alone counts
 
 // Pixels grow until colours differ by no more than this, at most so many times. A difference that is left makes an
-// error of the shape more visible, by so many times the difference. A region counts with the error of its own shape
-// where that is worse than the whole's: the hair of a head among clothes that lie well.
+// error of the shape more visible, by so many times the difference. A region with a worse shape than
+// the whole counts with its own error: the hair of a head above clothes that fit.
 constexpr double max_difference = 0.12, weight = 20;
 constexpr size_t max_doublings = 4;
 

@@ -1,11 +1,10 @@
 #include "samples/scenes/walkers/cast.h"
 
 #include <algorithm>
-#include <cctype>
 #include <map>
 
 #include "lib/base/near_names.h"
-#include "samples/io/ending.h"
+#include "samples/io/joined.h"
 #include "samples/scenes/posed_template.h"
 #include "samples/scenes/template_names.h"
 
@@ -17,25 +16,14 @@ namespace
 
 constexpr double person_m = 1.75;
 
-std::string lower(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
-
-std::string name_of(const clq_template *tmpl, uint32_t clip)
-{
-    clq_clip_info info = clq_clip_info_init();
-    check(clq_template_get_clip(tmpl, clip, &info));
-    return info.name ? info.name : "";
-}
-
-// "Walk" of "Armature|Walk", in lower case.
+// "walk" of "Armature|Walk" and of "Walk_001".
 std::string own_name(const std::string &name)
 {
     const size_t bar = name.find_last_of("|:");
-    return lower(bar == std::string::npos ? name : name.substr(bar + 1));
+    std::string own = lower_case(bar == std::string::npos ? name : name.substr(bar + 1));
+    const size_t letter = own.find_last_not_of("0123456789");
+    if (letter != std::string::npos && letter > 0 && (own[letter] == '_' || own[letter] == '.')) own.resize(letter);
+    return own;
 }
 
 // "man_" of "man_walk", "man_run" and "man_idle": the first word of more than half of the names.
@@ -49,15 +37,6 @@ std::string common_prefix(const std::vector<std::string> &names)
     }
     return "";
 }
-
-std::string clip_names(const clq_template *tmpl, uint32_t count)
-{
-    std::string names;
-    for (uint32_t i = 0; i < count; ++i) names += (i ? ", " : "") + name_of(tmpl, i);
-    return names.empty() ? "none" : names;
-}
-
-bool is_prepared(const std::string &character) { return io::ending_of(character) == ".clq"; }
 
 // At rest, in model units; 0 without vertices.
 double height_of(Library &library, const clq_template *tmpl)
@@ -83,7 +62,7 @@ std::vector<uint32_t> idles_of(const Member &member)
     for (const std::string &named : member.described.clips.idles) idles.push_back(clip_of(member, named, {}));
     if (!idles.empty()) return idles;
     for (const char *word :
-         {"stand", "stand_look", "stand_shift", "idle", "idle_neutral", "idle_loop", "unarmed_idle"}) {
+         {"stand", "stand_look", "stand_shift", "idle", "idle_neutral", "idle_loop", "unarmed_idle", "standing_idle"}) {
         const uint32_t clip = find_clip(member.tmpl, {word});
         if (clip != CLQ_NONE && idles.size() < 4) idles.push_back(clip);
     }
@@ -119,10 +98,8 @@ void name_limbs(const Member &member, clq_locomotion_def &def)
 
 uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
 {
-    clq_template_info info = clq_template_info_init();
-    check(clq_template_get_info(tmpl, &info));
-    std::vector<std::string> names;
-    for (uint32_t i = 0; i < info.clip_count; ++i) names.push_back(own_name(name_of(tmpl, i)));
+    std::vector<std::string> names = names_of_clips(tmpl);
+    for (std::string &name : names) name = own_name(name);
     const std::string prefix = common_prefix(names);
     for (const std::string &before : {std::string(), prefix})
         for (const std::string &word : words) {
@@ -174,8 +151,6 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
 
 GaitClips gait_clips(const Member &member)
 {
-    clq_template_info info = clq_template_info_init();
-    check(clq_template_get_info(member.tmpl, &info));
     const SocialClass::Clips &clips = member.described.clips;
     GaitClips out;
     out.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"});
@@ -183,17 +158,24 @@ GaitClips gait_clips(const Member &member)
     out.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"});
     out.turn = clip_of(member, clips.turn, {"turn"});
     out.idles = idles_of(member);
-    if (out.walk == CLQ_NONE)
-        throw Failure("the character " + member.described.character +
-                      " has no clip named walk; it has: " + clip_names(member.tmpl, info.clip_count) +
-                      (info.clip_count > 0 ? "; --walk NAME, or walk in the clips of a scenario's class, chooses one"
-                                           : "; --clips FILE of play and prepare adds those of another file"));
-    return out;
+    if (out.walk != CLQ_NONE) return out;
+    const std::vector<std::string> names = names_of_clips(member.tmpl);
+    throw Failure("the character " + member.described.character +
+                  " has no clip named walk; it has: " + (names.empty() ? "none" : io::joined(names)) +
+                  "; --walk NAME where people walk on tracks, or walk in the clips of a scenario's class, chooses one, "
+                  "and --clips FILE of play and prepare adds one");
 }
 
 OwnLocomotion locomotion_of(Library &library, const Member &member)
 {
     const GaitClips clips = gait_clips(member);
+    if (member.own && clips.idles.empty())
+        clq_context_log(
+            library.context(), CLQ_LOG_WARNING,
+            (member.described.character +
+             " has no clip named idle or stand, so people who stop take its rest pose: --clips FILE of play "
+             "and prepare adds one, and idles in the clips of a scenario's class names one")
+                .c_str());
     clq_locomotion_def def = clq_locomotion_def_init();
     def.tmpl = member.tmpl;
     def.walk = clips.walk, def.run = clips.run, def.slow_walk = clips.slow_walk, def.turn = clips.turn;
