@@ -106,9 +106,9 @@ PoseBox PosedTemplate::box_of_clip(uint32_t clip, uint32_t poses)
     return out;
 }
 
-// Of a few clips, each at its middle time: rest poses spread their arms, and people do not stand like that. Sideways it
-// is the mean. Upwards it is that of one clip: some sit, a few raise their arms, and two thirds are no higher than one
-// that stands. That one stands on the lowest point of all its poses, as it may jump in the middle.
+// The first clips give the box, each at its middle time, since rest poses spread their arms. Sideways it is their mean.
+// Upwards one clip gives it: some sit, a few raise their arms, and two thirds are no higher than one that stands. Its
+// ground is the lowest point of all its poses, as it may jump in the middle.
 PoseBox standing_box(PosedTemplate &posed, uint32_t first_clip, bool one_clip)
 {
     constexpr uint32_t most = 8, poses = 9;

@@ -38,9 +38,9 @@ public:
     std::array<double, 16> node(uint32_t node) const;
     // x, y and z of all vertices of the finest level, without the root path.
     std::vector<float> vertices();
-    // Of the vertices as they are shown, on the root path; none() without any.
+    // The box of the shown vertices, on the root path; none() without vertices.
     PoseBox box();
-    // Of a clip, at its beginning, at its end and at times between them, `poses` in all.
+    // The box of `poses` poses of a clip, from its beginning to its end.
     PoseBox box_of_clip(uint32_t clip, uint32_t poses);
 
     const clq_template_info &info() const { return info_; }

@@ -89,7 +89,7 @@ public:
     }
 
 private:
-    // A person has passed who was within the door and is not any more.
+    // A person passes on leaving the door.
     void count(Run &run, size_t door)
     {
         std::vector<uint32_t> now;

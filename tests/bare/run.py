@@ -27,6 +27,7 @@ SHOW = """
 apt-get install -y -qq --no-install-recommends xvfb > /xvfb.log 2>&1
 mkdir /screen
 Xvfb :9 -screen 0 1024x768x24 -fbdir /screen > /screen.log 2>&1 &
+trap "kill $!" EXIT  # the next system's screen has the same number
 for second in $(seq 60); do [ -e /screen/Xvfb_screen0 ] || sleep 1; done
 export LD_LIBRARY_PATH=$HOME/.local/lib
 DISPLAY=:9 timeout 20 ./window > /window.log 2>&1 &

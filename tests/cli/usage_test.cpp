@@ -83,7 +83,7 @@ TEST_F(Usage, HelpThatCannotBeWrittenIsAFailure)
 
 TEST_F(Usage, WhatIsWrongIsNamedWithTheWayOut)
 {
-    // CLI11 2.6 asks for what is required before it reads values.
+    // CLI11 2.6 looks for required options before it reads values.
     const std::string out = path("x.png");
     const struct {
         std::vector<std::string> arguments;

@@ -87,7 +87,9 @@ TEST_F(OsgPluginFiles, ColoursPeopleByPaletteAndByMap)
     const File map("map.toml",
                    "[[classes]]\nname = \"blue\"\ntemplate = \"citizen\"\n[classes.zones]\n"
                    "tunic = { hue = [240, 240], saturation = [1, 1], brightness = [0.8, 0.8] }\n");
-    const File mapped("blue.claque", "character = \"citizen\"\ncolours = \"" + map.path() + "\"\nclass = \"blue\"\n");
+    const File mapped("blue.claque", "character = \"citizen\"\ncolours = \"" +
+                                         std::filesystem::path(map.path()).filename().string() +
+                                         "\"\nclass = \"blue\"\n");
     stand(*read(palette.path()), {-1.5, 0, 0});
     stand(*read(mapped.path()), {1.5, 0, 0});
     look_from({0, -5, 1}, {0, 0, 0.9});

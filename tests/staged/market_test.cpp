@@ -1,5 +1,5 @@
-// The market of samples/scenarios/market.toml: people go through no person and no thing that stands there. People
-// who talk face each other, and the owl startles those near it.
+// The market of samples/scenarios/market.toml: people go through no person and no stall. Talking people face each
+// other, and the owl startles the people near it.
 #include <algorithm>
 #include <cmath>
 

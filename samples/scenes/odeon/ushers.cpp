@@ -71,7 +71,7 @@ double Ushers::way_m(const Guest &guest, size_t number) const
     const double angle = bench.gangway_deg * radians, radius = theatre_.orchestra_radius_m;
     const double x = radius * std::sin(angle), z = -radius * std::cos(angle);
     double way = std::hypot(x - guest.person.entrance[0], z - guest.person.entrance[2]) + bench.climb_m;
-    // People who were shown to the same gangway and have no seat yet.
+    // Guests on their way to the same gangway.
     for (size_t other = 0; other < benches_.size(); ++other)
         if (benches_[other].gangway_deg == bench.gangway_deg)
             way += per_guest_m * double(rows_[other].promised - rows_[other].sitting.size());
