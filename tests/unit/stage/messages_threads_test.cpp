@@ -22,13 +22,20 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
     StageWorld world;
     const clq_machine machine = world.machine(machine_text(two_states));
     std::atomic<bool> done{false};
-    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0}, rounds[2] = {{0}, {0}};
+    std::atomic<uint32_t> newest{world.agent(machine).index1}, told{0}, rounds[2] = {{0}, {0}}, steps{0};
     const auto note = [&](clq_status status) {
         EXPECT_TRUE(status == CLQ_OK || status == CLQ_STALE_ID) << clq_last_error();
         told += status == CLQ_OK;
     };
     const auto speak = [&](const char *name, std::atomic<uint32_t> &spoken) {
-        while (!done && !HasFailure()) {
+        // A step that waits for its turn must not meet more tasks than a stage holds: 8 rounds, and then the next step.
+        for (uint32_t step = 0, left = 0; !done && !HasFailure();) {
+            if (step != steps) step = steps, left = 8;
+            if (left == 0) {
+                std::this_thread::yield();
+                continue;
+            }
+            --left;
             const clq_agent agent = {newest};
             const double now_s = clq_stage_get_decided_s(world.stage);
             const bool in_view = told % 2 == 0;
@@ -62,10 +69,13 @@ TEST(Messages, OfAnyThreadAreTakenAtAnyTime)
             std::this_thread::yield();
         }
     };
-    // Both have spoken to the newest agent: the second of the rounds that end from now on began after now.
+    // Both have spoken to the newest agent: the second of the rounds that end from now on began after now. Speakers
+    // that took their rounds of this step already could not end another, so they are counted before the step begins.
     const auto hear_both = [&] {
-        for (std::atomic<uint32_t> &spoken : rounds)
-            for (const uint32_t until = spoken + 2; spoken < until && !HasFailure();) std::this_thread::yield();
+        const uint32_t until[] = {rounds[0] + 2, rounds[1] + 2};
+        ++steps;
+        for (int i = 0; i < 2; ++i)
+            while (rounds[i] < until[i] && !HasFailure()) std::this_thread::yield();
     };
     std::thread others[] = {std::thread(speak, "go", std::ref(rounds[0])),
                             std::thread(speak, "back", std::ref(rounds[1])), std::thread(ask), std::thread(draw)};
