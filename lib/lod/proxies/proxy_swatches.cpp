@@ -15,7 +15,8 @@ namespace
 
 constexpr uint32_t max_shades = 8;  // per zone
 
-// Levels of at most so many triangles get one shade per tint, because vertices between shades are split.
+// Levels of at most so many triangles get one shade per tint, because vertices between shades are split. A zone that is
+// a whole picture keeps its shades: its mean would be a person in one colour.
 constexpr size_t one_shade_triangles = 64;
 // Quantisation step of a colour's difference from its grey. A zone that varies only in brightness has one tint.
 constexpr double tint_step = 0.25;
@@ -30,6 +31,15 @@ struct Swatch {
         return std::tie(zone, shades, shade, tint) < std::tie(o.zone, o.shades, o.shade, o.tint);
     }
 };
+
+// [zones] whether a material of the zone has an image, so that its colours are those of many things.
+std::vector<bool> pictured_zones(const model::Model &model)
+{
+    std::vector<bool> pictured(model.zones.size());
+    for (const model::Material &material : model.materials)
+        if (material.zone != model::none && material.image != model::none) pictured[material.zone] = true;
+    return pictured;
+}
 
 // The mean colour of each zone, for triangles that show a zone without samples of it.
 ZoneColours usual_colours(const std::vector<ZoneColours> &all)
@@ -82,12 +92,15 @@ std::vector<model::Image> bake_swatches(const ProxySource &source, const std::ve
 {
     std::map<Swatch, ColourSums> colours;
     std::vector<std::vector<Swatch>> swatches;
+    const std::vector<bool> pictured = pictured_zones(source.model);
     for (const SwatchZones &one : chosen) {
-        const uint32_t shades = one.zones.size() <= one_shade_triangles ? 1 : max_shades;
         const ZoneColours usual = usual_colours(one.colours);
         swatches.emplace_back();
-        for (size_t t = 0; t < one.zones.size(); ++t)
-            swatches.back().push_back(swatch_of(source, one.colours[t], one.zones[t], usual, shades, colours));
+        for (size_t t = 0; t < one.zones.size(); ++t) {
+            const bool one_shade = one.zones.size() <= one_shade_triangles && !pictured[one.zones[t]];
+            swatches.back().push_back(
+                swatch_of(source, one.colours[t], one.zones[t], usual, one_shade ? 1 : max_shades, colours));
+        }
     }
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) images.push_back(image_of(source, colours, set));
