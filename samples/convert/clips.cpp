@@ -99,8 +99,8 @@ void add_clip(Scene &scene, const aiAnimation &from, const std::string &name)
     std::set<const aiNode *> moved;
     for (unsigned c = 0; c < from.mNumChannels; ++c) {
         const aiNodeAnim &channel = *from.mChannels[c];
-        const auto node = scene.named.find(channel.mNodeName.C_Str());
-        if (node == scene.named.end() || !moved.insert(node->second).second) continue;
+        const auto [node, end] = scene.named.equal_range(channel.mNodeName.C_Str());
+        if (node == end || !moved.insert(node->second).second) continue;
         const size_t index = scene.nodes.at(node->second);
         add_channel(scene, clip, track_of(channel.mPositionKeys, channel.mNumPositionKeys, ticks), index,
                     "translation");

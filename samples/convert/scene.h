@@ -19,8 +19,8 @@ struct Scene {
     std::string path;        // of the file
     std::string bytes = {};  // of the file; empty where they cannot be read
     GlbWriter glb = {};
-    std::map<const aiNode *, size_t> nodes = {};       // their index in the GLB
-    std::map<std::string, const aiNode *> named = {};  // the first node of each name, parents first
+    std::map<const aiNode *, size_t> nodes = {};            // their index in the GLB
+    std::multimap<std::string, const aiNode *> named = {};  // those of one name: parents first
     std::vector<std::string> warnings = {};
 
     void warn(std::string text)

@@ -1,5 +1,7 @@
 // Assimp's bones as a skin of glTF, with all weights of each vertex, four a set.
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "samples/convert/scene.h"
@@ -20,6 +22,30 @@ void add_weights(Skin &skin, const aiBone &bone, uint16_t joint)
     }
 }
 
+float difference(const aiMatrix4x4 &a, const aiMatrix4x4 &b)
+{
+    float sum = 0;
+    for (unsigned i = 0; i < 16; ++i) sum += std::fabs(a[i / 4][i % 4] - b[i / 4][i % 4]);
+    return sum;
+}
+
+// Assimp names the node of a bone, and a file may have several armatures with a 'Bone' each. The bone is the node that
+// leaves the mesh at its place at rest. Null: there is no node of that name.
+const aiNode *node_of(const Scene &scene, const aiNode &mesh_node, const aiBone &bone)
+{
+    constexpr int most_compared = 64;
+    auto [at, end] = scene.named.equal_range(bone.mName.C_Str());
+    if (at == end || std::next(at) == end) return at == end ? nullptr : at->second;
+    const aiMatrix4x4 place = global_of(mesh_node);
+    const aiNode *nearest = at->second;
+    float least = std::numeric_limits<float>::infinity();
+    for (int i = 0; at != end && i < most_compared; ++at, ++i) {
+        const float off = difference(global_of(*at->second) * bone.mOffsetMatrix, place);
+        if (off < least) least = off, nearest = at->second;
+    }
+    return nearest;
+}
+
 }  // namespace
 
 Skin skin_of(const Scene &scene, const aiNode &node, const aiMesh &mesh)
@@ -30,12 +56,12 @@ Skin skin_of(const Scene &scene, const aiNode &node, const aiMesh &mesh)
     std::vector<const aiBone *> lost;
     for (unsigned b = 0; b < mesh.mNumBones; ++b) {
         const aiBone &bone = *mesh.mBones[b];
-        const auto found = scene.named.find(bone.mName.C_Str());
-        if (found == scene.named.end()) {
+        const aiNode *joint = node_of(scene, node, bone);
+        if (!joint) {
             lost.push_back(&bone);
             continue;
         }
-        skin.joints.push_back(found->second);
+        skin.joints.push_back(joint);
         skin.inverse_binds.push_back(bone.mOffsetMatrix);
         add_weights(skin, bone, static_cast<uint16_t>(skin.joints.size() - 1));
     }
