@@ -91,12 +91,16 @@ TEST(Attack, JsonOfManySmallValuesTakesASmallMultipleOfItsSize)
 
 TEST(Attack, JsonThatWouldNotFitTheLimitIsRefusedBeforeItIsParsed)
 {
-    const Bytes bytes = bytes_of("{\"asset\":{\"version\":\"2.0\"},\"extras\":[" + std::string(2 * mega, ',') + "0]}");
-    asset::LoadOptions options;
-    options.memory_limit_bytes = 16 * mega;
-    Outcome outcome;
-    EXPECT_LE(peak_heap_bytes([&] { outcome = outcome_of(bytes, options); }), mega);
-    EXPECT_EQ(outcome.status, CLQ_LIMIT) << outcome.text;
+    const std::pair<std::string, uint64_t> cases[] = {{std::string(2 * mega, ','), 16 * mega},
+                                                      {'"' + std::string(2 * mega, 'a') + "\",", 3 * mega}};
+    for (const auto &[values, limit_bytes] : cases) {
+        const Bytes bytes = bytes_of("{\"asset\":{\"version\":\"2.0\"},\"extras\":[" + values + "0]}");
+        asset::LoadOptions options;
+        options.memory_limit_bytes = limit_bytes;
+        Outcome outcome;
+        EXPECT_LE(peak_heap_bytes([&] { outcome = outcome_of(bytes, options); }), mega);
+        EXPECT_EQ(outcome.status, CLQ_LIMIT) << outcome.text;
+    }
 }
 
 TEST(Attack, GlbChunkThatLiesAboutItsLengthIsRefused)
