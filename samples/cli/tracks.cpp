@@ -1,4 +1,5 @@
-// claque tracks: what a file of trajectories contains, how claque shows it, and a plan of the paths.
+// claque tracks: what a file of trajectories or a record contains, how claque shows it, a plan of the paths, and the
+// positions in a record as a file that others read.
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -6,9 +7,11 @@
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/plot.h"
+#include "samples/cli/position_files.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/track_arguments.h"
 #include "samples/cli/tracks_report.h"
+#include "samples/scenes/walkers/record_file.h"
 
 namespace cli
 {
@@ -120,20 +123,45 @@ Json json_of(const TracksReport &r)
 struct Arguments {
     TrackArguments tracks;
     scenes::Placement placed;
-    std::string plot, json;
+    std::string plot, json, out;
     uint64_t seed = 1;
 };
+
+// As if the file of positions had been written and read.
+scenes::walkers::OwnTrajectories load_record(scenes::Library &library, const Arguments &a,
+                                             const scenes::walkers::Options &options, Progress &progress)
+{
+    constexpr double usual_rate_hz = 25;
+    progress.phase("playing");
+    const scenes::walkers::RecordPositions positions = scenes::walkers::positions_in(
+        library, a.tracks.file, options.characters, a.tracks.rate_hz > 0 ? a.tracks.rate_hz : usual_rate_hz,
+        [&](size_t done, size_t of) { progress.step(done, of); });
+    if (positions.rows.empty()) throw scenes::Failure(a.tracks.file + ": nobody is in this record");
+    if (!a.out.empty()) write_whole(a.out, position_file(a.out, positions));
+    const std::string text = position_text(positions);
+    clq_trajectories_def def = clq_trajectories_def_init();
+    def.max_speed_m_s = a.tracks.max_speed_m_s;
+    clq_trajectories *made = nullptr;
+    check(
+        clq_trajectories_load_memory(library.context(), text.data(), text.size(), a.tracks.file.c_str(), &def, &made));
+    return scenes::walkers::OwnTrajectories(made);
+}
 
 void run(const Arguments &a)
 {
     Progress progress("claque");
     if (!a.plot.empty()) expect_writable(a.plot);
     if (!a.json.empty()) expect_writable(a.json);
+    if (!a.out.empty()) expect_writable(a.out);
     scenes::Library library(1);
     const scenes::walkers::Options options = walkers_of(a.tracks, a.placed);
     Tracks tracks;
-    progress.phase("reading");
-    tracks.trajectories = scenes::walkers::load(library, options);
+    if (scenes::walkers::is_record(a.tracks.file)) {
+        tracks.trajectories = load_record(library, a, options, progress);
+    } else {
+        progress.phase("reading");
+        tracks.trajectories = scenes::walkers::load(library, options);
+    }
     tracks.plan = scenes::walkers::plan_of(tracks.trajectories.get(), options);
     std::vector<scenes::walkers::Member> cast;
     std::vector<scenes::SocialClass> classes = options.characters;
@@ -148,21 +176,43 @@ void run(const Arguments &a)
     if (a.json != "-" && a.plot != "-") print(report);
 }
 
+void check_usage(const CLI::App &command, const Arguments &a)
+{
+    if (!scenes::walkers::is_record(a.tracks.file)) {
+        if (a.out.empty()) return;
+        throw CLI::ValidationError("--out", "writes the positions in a record; FILE is no record");
+    }
+    for (const char *name : {"--columns", "--unit", "--up", "--vehicles"})
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
+}
+
 }  // namespace
 
 void add_tracks(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<Arguments>();
-    CLI::App *c = app.add_subcommand("tracks", "Tell what is in a file of trajectories, and draw a plan of the paths");
-    c->add_option("FILE", a->tracks.file, "Trajectories: docs/trajectories.md lists the formats")->required();
+    CLI::App *c = app.add_subcommand(
+        "tracks",
+        "Tell what is in a file of trajectories or a record, draw a plan of the paths, write a record's positions");
+    c->add_option("FILE", a->tracks.file,
+                  "Trajectories (docs/trajectories.md lists the formats), or a record (docs/records.md)")
+        ->required();
     add_reading_options(*c, a->tracks);
+    c->get_option("--rate")->description(
+        "Frame numbers in a second, where the file does not say it; of a record: positions (25)");
     c->add_option("--characters", a->tracks.characters, "Who walks (default citizen)")->type_name("NAMES");
     add_limb_options(*c, a->tracks);
     add_placement_options(*c, a->placed);
     c->add_option("--seed", a->seed, "Seed of sizes and idle clips")->capture_default_str();
     c->add_option("--plot", a->plot, "Write the plan as SVG or PNG; - is standard output")->check(chart_file);
     c->add_option("--json", a->json, "Write the report as JSON; - is standard output");
-    c->callback([a, &chosen] { chosen = [a] { run(*a); }; });
+    c->add_option("--out,-o", a->out, "Write the positions in a record: id, frame, x, y, metres")
+        ->check(CLI::Validator(check_position_file, ""))
+        ->type_name("FILE.csv|FILE.txt|FILE.sqlite");
+    c->callback([a, c, &chosen] {
+        check_usage(*c, *a);
+        chosen = [a] { run(*a); };
+    });
 }
 
 }  // namespace cli

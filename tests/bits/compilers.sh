@@ -26,7 +26,7 @@ for compiler in "$@"; do
         # shellcheck disable=SC2086  # one or three options
         if { CXX=$compiler CC=$(echo "$compiler" | sed 's/clang++/clang/; s/g++/gcc/') cmake -S . -B "$folder" -G Ninja \
             -DCLAQUE_SAMPLES=OFF -DCLAQUE_BENCHMARKS=OFF $type &&
-            cmake --build "$folder" -j "$jobs" --target claque_bits; } > "$folder.log" 2>&1; then
+            cmake --build "$folder" -j "$jobs" --target tests/bits/all; } > "$folder.log" 2>&1; then
             result=equal
             ctest --test-dir "$folder" -R '^bits\.' --no-tests=error --output-on-failure >> "$folder.log" 2>&1 ||
                 result="different: see $folder.log"

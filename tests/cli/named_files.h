@@ -71,6 +71,7 @@ constexpr Named all_named[] = {
     {"parity compare", "$folders/@ $folders/@", "RESULT"},
     {"parity compare", "$x $x --tolerance @.toml", ""},
     {"tracks", "@.csv", "FILE"},
+    {"tracks", "@.clt", "FILE"},
     {"tracks", "$few.csv --columns id,frame,x,y --rate 1 --unit m --characters @.glb", ""},
     {"play", "@.csv --out $x.png --time 0", "FILE"},
     {"play", "@.clt --out $x.png --time 0", "FILE"},

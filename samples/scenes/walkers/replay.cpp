@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <optional>
 
-#include "samples/io/regular_file.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
 #include "samples/scenes/stone.h"
-#include "samples/scenes/walkers/cast.h"
 #include "samples/scenes/walkers/ground.h"
 #include "samples/scenes/walkers/plain.h"
 
@@ -19,46 +16,6 @@ namespace scenes::walkers
 
 namespace
 {
-
-// Gives a record the characters of its names: built-in ones, with levels of detail where it was recorded with them and
-// with heads that turn where people decided, and those of the user.
-class Cast
-{
-public:
-    Cast(Library &library, const clq_record_info &info, clq_record *record, const std::vector<SocialClass> &characters)
-    {
-        for (const SocialClass &one : characters) own_.push_back(template_of_file(library, one));
-        for (const Own<clq_template> &own : own_) templates_.push_back(own.get());
-        std::vector<std::string> builtins;
-        for (uint32_t i = 0; i < info.template_count; ++i) {
-            const std::string name = clq_record_get_template_name(record, i);
-            if (is_builtin(name) && std::find(builtins.begin(), builtins.end(), name) == builtins.end())
-                builtins.push_back(name);
-        }
-        for (const std::string &name : builtins) templates_.push_back(library.builtin(name));
-        if (give(record) == CLQ_OK) return;
-        for (const std::string &name : builtins)
-            if (is_person(name)) templates_.push_back(library.builtin(name, {}));  // what flies has its own
-        if (give(record) == CLQ_OK) return;
-        for (const bool levels : {true, false})
-            for (const std::string &name : builtins)
-                if (is_person(name)) templates_.push_back(library.looking(name, levels));
-        if (give(record) != CLQ_OK)
-            throw Failure(std::string(clq_last_error()) +
-                          "; --characters names the files of characters, and --turn, --height and --scale place them "
-                          "as in the run");
-    }
-    const std::vector<clq_template *> &templates() const { return templates_; }
-
-private:
-    clq_status give(clq_record *record) const
-    {
-        return clq_record_set_templates(record, templates_.data(), static_cast<uint32_t>(templates_.size()));
-    }
-
-    std::vector<Own<clq_template>> own_;
-    std::vector<clq_template *> templates_;
-};
 
 // Where people are in some moments of a record.
 struct Box {
@@ -128,7 +85,7 @@ class Replay final : public Scene
 public:
     Replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
         : file_(library, options.file),
-          cast_(library, file_.info, file_.record.get(), options.characters),
+          cast_(library, file_, options.characters),
           plain_(crowd_options.seed, Daylight())
     {
         const clq_crowd_def def = def_of(file_.record.get(), crowd_options);
@@ -202,7 +159,7 @@ private:
     }
 
     RecordFile file_;
-    Cast cast_;
+    RecordCast cast_;
     Own<clq_crowd> crowd_;
     Plan plan_;
     Plain plain_;
@@ -211,24 +168,6 @@ private:
 };
 
 }  // namespace
-
-bool is_record(const std::string &file)
-{
-    static const char magic[8] = {'c', 'l', 'a', 'q', 'u', 'e', 'R', 0x1a};
-    char found[8] = {};
-    const io::RegularFile in(file, io::most_record_bytes);
-    return in.wrong().empty() && in.read(0, found, sizeof found) && std::memcmp(found, magic, sizeof magic) == 0;
-}
-
-RecordFile::RecordFile(Library &library, const std::string &file)
-{
-    if (const std::string wrong = bytes.open(file); !wrong.empty()) throw Failure(wrong);
-    clq_record *made = nullptr;
-    check(clq_record_open(library.context(), bytes.data(), bytes.size(), &made), file);
-    record.reset(made);
-    check(clq_record_get_info(made, &info));
-    if (info.step_count == 0) throw Failure(file + ": nothing was shown in this record: it has no update");
-}
 
 std::unique_ptr<Scene> make_replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
 {
