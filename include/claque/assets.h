@@ -13,10 +13,11 @@ extern "C" {
 #endif
 
 /* What becomes of glTF's alpha mode BLEND, as people are drawn without blending. A material whose alpha is 1 everywhere
- * is opaque in either case; any other gives a warning. */
+ * is opaque in every case. */
 typedef enum clq_blend {
-    CLQ_BLEND_MASK = 0,  /* an alpha test: opaque where alpha is 0.5 and more, nothing elsewhere (hair, lashes) */
-    CLQ_BLEND_OPAQUE = 1 /* all of it, whatever its alpha */
+    CLQ_BLEND_UNSET = 0,  /* as MASK, and a warning names each material, and OPAQUE unless it is of hair or eyes */
+    CLQ_BLEND_OPAQUE = 1, /* all of it, whatever its alpha */
+    CLQ_BLEND_MASK = 2    /* an alpha test: opaque where alpha is 0.5 and more, nothing elsewhere (hair, lashes) */
 } clq_blend;
 
 typedef struct clq_asset_options {

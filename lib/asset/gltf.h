@@ -15,7 +15,7 @@
 namespace claque::asset
 {
 
-enum class Blend : uint8_t { mask = 0, opaque = 1 };  // what becomes of the alpha mode BLEND
+enum class Blend : uint8_t { unset = 0, opaque = 1, mask = 2 };  // clq_blend
 
 struct LoadOptions {
     std::string base_folder;                // of external buffers and images; if it is empty they are refused
@@ -28,8 +28,8 @@ struct LoadOptions {
     uint32_t max_image_px = 16384;  // width and height
     bool strict = false;        // a picture whose file is missing fails; else the base colour is shown, with a warning
     bool wild_colours = false;  // of zones without zone keys: as far as zone_ranges.h lets them, not as own_colours.h
-    Blend blend = Blend::mask;  // mask: with a cutoff of 0.5
-    double motion_unit_m = 1;   // metres (model units) per unit of a BVH file, which has none of its own
+    Blend blend = Blend::unset;
+    double motion_unit_m = 1;  // metres (model units) per unit of a BVH file, which has none of its own
 };
 
 // The first bytes decide between GLB and JSON. Throws base::Error:

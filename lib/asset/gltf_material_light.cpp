@@ -4,6 +4,7 @@
 #include "lib/asset/decoders.h"
 #include "lib/asset/gltf_image.h"
 #include "lib/asset/gltf_material.h"
+#include "lib/asset/zone_ranges.h"
 #include "lib/math/hsb.h"
 
 namespace claque::asset
@@ -107,16 +108,17 @@ void Materials::settle_blend(uint32_t index, const model::Model &model)
     }
     constexpr float opaque = 0.99f;
     const bool is_opaque = alpha.least * material.base_colour[3] >= opaque;
-    const bool is_wanted = file_.options.blend == Blend::opaque;
-    if (is_opaque || is_wanted) material.alpha_mode = model::AlphaMode::opaque;
-    if (is_opaque) return;
-    const char *shown = is_wanted ? "drawn opaque"
-                        : alpha.most * material.base_colour[3] < material.alpha_cutoff
-                            ? "left out, as its alpha is below 0.5 everywhere; --blend opaque "
-                              "(clq_asset_options.blend) shows it"
-                            : "drawn where its alpha is 0.5 and more, and there opaque; --blend opaque "
-                              "(clq_asset_options.blend) shows all of it";
-    file_.warn(base::text_of("material '%s' is transparent: %s", material.name.c_str(), shown));
+    if (is_opaque || file_.options.blend == Blend::opaque) material.alpha_mode = model::AlphaMode::opaque;
+    if (is_opaque || file_.options.blend != Blend::unset) return;
+    const bool is_unseen = alpha.most * material.base_colour[3] < material.alpha_cutoff;
+    const char *shown = is_unseen ? "left out, as its alpha is below 0.5 everywhere"
+                                  : "drawn where its alpha is 0.5 and more, and there opaque";
+    const ZoneKind kind = zone_kind_of(material.name);
+    const bool has_cut_outs = kind == ZoneKind::hair || kind == ZoneKind::eyes;  // opaque, their cards are bars
+    const char *advice = has_cut_outs ? ""
+                         : is_unseen  ? "; --blend opaque (clq_asset_options.blend) shows it"
+                                      : "; --blend opaque (clq_asset_options.blend) shows all of it";
+    file_.warn(base::text_of("material '%s' is transparent: %s%s", material.name.c_str(), shown, advice));
 }
 
 void Materials::name_unseen_looks(const std::vector<bool> &used)

@@ -19,7 +19,7 @@ Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
     scene["scene"] = options.scene, scene["file"] = file_about(s.file), scene["hidden"] = s.of_file.placement.hidden;
     const scenes::Placement &placed = s.of_file.placement;
     if (placed.any()) scene["placement"] = {placed.turn_deg, placed.height_m, placed.scale};
-    if (placed.blend != CLQ_BLEND_MASK) scene["blend"] = "opaque";
+    if (placed.blend == CLQ_BLEND_OPAQUE) scene["blend"] = "opaque";
     scene["scenario"] = file_about(s.scenario), scene["path"] = file_about(s.path);
     if (s.described && !s.described->files.empty()) {
         scene["scenario_files"] = Json::array();

@@ -12,11 +12,11 @@ namespace scenes
 
 struct Placement {
     double turn_deg = 0, height_m = 0, scale = 0;  // as in clq_asset_options
-    clq_blend blend = CLQ_BLEND_MASK;
+    clq_blend blend = CLQ_BLEND_UNSET;
     std::vector<std::string> hidden = {};  // nodes
 
     bool has_size() const { return height_m != 0 || scale != 0; }
-    bool any() const { return turn_deg != 0 || has_size() || blend != CLQ_BLEND_MASK || !hidden.empty(); }
+    bool any() const { return turn_deg != 0 || has_size() || blend != CLQ_BLEND_UNSET || !hidden.empty(); }
     // `names`: lives as long as the options.
     void give(clq_asset_options &options, std::vector<const char *> &names) const
     {

@@ -32,8 +32,8 @@ asset::LoadOptions options_of(const clq_asset_options &options)
     }
     if (options.bvh_metres_per_unit != 0) out.motion_unit_m = options.bvh_metres_per_unit;
     out.strict = options.strict;
-    api::require(api::number_of(options.blend) <= CLQ_BLEND_OPAQUE, "blend is none of CLQ_BLEND_...");
-    out.blend = options.blend == CLQ_BLEND_OPAQUE ? asset::Blend::opaque : asset::Blend::mask;
+    api::require(api::number_of(options.blend) <= CLQ_BLEND_MASK, "blend is none of CLQ_BLEND_...");
+    out.blend = static_cast<asset::Blend>(options.blend);
     out.wild_colours = options.wild_colours;
     if (options.memory_limit_bytes) out.memory_limit_bytes = options.memory_limit_bytes;
     return out;

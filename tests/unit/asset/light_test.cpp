@@ -77,13 +77,40 @@ TEST(Light, LooksOfMaterialsThatNothingShowsAreNotNamed)
     EXPECT_NE(only_warning(load(maker.glb())).find("KHR_materials_sheen"), std::string::npos);
 }
 
-TEST(Blend, OfAFullyTransparentMaterialSaysWhatShowsIt)
+// The warnings of one transparent material.
+std::vector<std::string> warnings_of(const char *material, float alpha, asset::Blend blend = asset::Blend::unset)
 {
     Maker maker = lamp_file();
     maker.json["materials"][0] = {
-        {"name", "visor"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, 0.3}}}}};
-    EXPECT_NE(only_warning(load(maker.glb())).find("left out, as its alpha is below 0.5 everywhere; --blend opaque"),
-              std::string::npos);
+        {"name", material}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}};
+    const Bytes bytes = maker.glb();
+    asset::LoadOptions options;
+    options.blend = blend;
+    return asset::load_gltf(bytes.data(), bytes.size(), options).warnings;
+}
+
+TEST(Blend, OfAFullyTransparentMaterialSaysWhatShowsIt)
+{
+    const std::vector<std::string> warnings = warnings_of("visor", 0.3f);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("left out, as its alpha is below 0.5 everywhere; --blend opaque"), std::string::npos);
+}
+
+TEST(Blend, OfHairAndEyesIsNamedWithoutAdvice)
+{
+    for (const char *name : {"Hair_00_HAIR", "FaceBrow", "eyelashes", "EyeHighlight", "cornea"})
+        for (const float alpha : {0.3f, 0.7f}) {
+            const std::vector<std::string> warnings = warnings_of(name, alpha);
+            ASSERT_EQ(warnings.size(), 1u);
+            EXPECT_NE(warnings[0].find(alpha < 0.5f ? "left out" : "drawn where"), std::string::npos) << warnings[0];
+            EXPECT_EQ(warnings[0].find("--blend"), std::string::npos) << warnings[0];
+        }
+}
+
+TEST(Blend, IsSilentOnceItIsChosen)
+{
+    for (const asset::Blend blend : {asset::Blend::mask, asset::Blend::opaque})
+        for (const float alpha : {0.3f, 0.7f}) EXPECT_TRUE(warnings_of("visor", alpha, blend).empty());
 }
 
 // The lamp three times.
