@@ -12,6 +12,15 @@ namespace claque::track
 using base::fail;
 using model::none;
 
+namespace
+{
+
+// Clips are found by their names where nobody names them.
+constexpr char name_another[] =
+    "name another one (--walk of the command, clips of a scenario's class, clq_locomotion_def)";
+
+}  // namespace
+
 const char *clip_name(const model::Rig &rig, uint32_t clip)
 {
     return clip < rig.clip_names.size() ? rig.clip_names[clip].c_str() : "";
@@ -25,7 +34,8 @@ void check_clips(const model::Template &tmpl, const LocomotionClips &clips)
         if (clip >= count)
             fail(CLQ_ARGUMENT, "the %s is clip %u of %zu of template '%s'", what, clip, count, tmpl.name.c_str());
         if (must_move && !(rig.clips[clip].duration_s > 0))
-            fail(CLQ_ARGUMENT, "the %s is clip %u ('%s'), which has no length", what, clip, clip_name(rig, clip));
+            fail(CLQ_ARGUMENT, "the %s is clip %u ('%s'), which has no length: %s", what, clip, clip_name(rig, clip),
+                 name_another);
     };
     check("walk", clips.walk, true);
     if (clips.run != none) check("run", clips.run, true);
@@ -59,8 +69,8 @@ void check_direction(const model::Template &tmpl, uint32_t clip, double x, doubl
     if (facing.seen && !facing.is_elsewhere())
         fail(CLQ_ARGUMENT,
              "the feet of clip %u ('%s') of template '%s' move %s at stance, and its %s say that it faces +z: the clip "
-             "walks %s; name another one",
-             clip, name, tmpl.name.c_str(), way, facing.seen, z > 0.5 * length ? "backwards" : "aside");
+             "walks %s; %s",
+             clip, name, tmpl.name.c_str(), way, facing.seen, z > 0.5 * length ? "backwards" : "aside", name_another);
     fail(CLQ_ARGUMENT,
          "the feet of clip %u ('%s') of template '%s' move %s at stance: the character faces %s; turn_deg %g (--turn "
          "%g) turns it",
@@ -72,9 +82,10 @@ void fail_to_walk(const model::Template &tmpl, const LocomotionClips &clips, uin
     const uint32_t clip = clip_of_step(clips, step);
     const std::string not_walk =
         clip == clips.walk ? "" : base::text_of(", not clip %u ('%s'),", clips.walk, clip_name(tmpl.rig, clips.walk));
-    fail(CLQ_ARGUMENT, "no foot of template '%s' moves back over the ground at gait %g: clip %u ('%s')%s does not %s",
+    fail(CLQ_ARGUMENT,
+         "no foot of template '%s' moves back over the ground at gait %g: clip %u ('%s')%s does not %s; %s",
          tmpl.name.c_str(), double(gait_steps[step]), clip, clip_name(tmpl.rig, clip), not_walk.c_str(),
-         step > walk_step && clip != clips.walk ? "run" : "walk");
+         step > walk_step && clip != clips.walk ? "run" : "walk", name_another);
 }
 
 void check_legs(const model::Template &tmpl, const LocomotionClips &clips)
@@ -91,8 +102,10 @@ void check_legs(const model::Template &tmpl, const LocomotionClips &clips)
             uint32_t above = rig.parents[node];
             while (above != none && above != leg[part - 1]) above = rig.parents[above];
             if (above == none)
-                fail(CLQ_ARGUMENT, "node %u ('%s') of a leg of template '%s' is not below node %u ('%s')", node,
-                     rig.node_names[node].c_str(), tmpl.name.c_str(), leg[part - 1],
+                fail(CLQ_ARGUMENT,
+                     "node %u ('%s') of a leg of template '%s' is not below node %u ('%s'): a leg goes from thigh to "
+                     "shin to foot (legs of a scenario's class, --legs of the command, clq_locomotion_def.legs)",
+                     node, rig.node_names[node].c_str(), tmpl.name.c_str(), leg[part - 1],
                      rig.node_names[leg[part - 1]].c_str());
         }
 }
@@ -125,14 +138,16 @@ void check_speeds(const model::Template &tmpl, const Locomotion &out)
     const auto name = [&](uint32_t clip) { return clip_name(tmpl.rig, clip); };
     if (!(out.stride[walk_step] > 0.1f * out.leg_length))
         fail(CLQ_ARGUMENT,
-             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is wanted",
-             clips.walk, name(clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length));
+             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is "
+             "wanted; %s",
+             clips.walk, name(clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length),
+             name_another);
     if (clips.run != none && !(out.running_speed() > speed))
-        fail(CLQ_ARGUMENT, "clip %u ('%s') runs at %g units a second, and clip %u ('%s') walks at %g", clips.run,
-             name(clips.run), out.running_speed(), clips.walk, name(clips.walk), speed);
+        fail(CLQ_ARGUMENT, "clip %u ('%s') runs at %g units a second, and clip %u ('%s') walks at %g; %s", clips.run,
+             name(clips.run), out.running_speed(), clips.walk, name(clips.walk), speed, name_another);
     if (clips.slow != none && !(out.slow_speed() < speed))
-        fail(CLQ_ARGUMENT, "clip %u ('%s') walks slowly at %g units a second, and clip %u ('%s') walks at %g",
-             clips.slow, name(clips.slow), out.slow_speed(), clips.walk, name(clips.walk), speed);
+        fail(CLQ_ARGUMENT, "clip %u ('%s') walks slowly at %g units a second, and clip %u ('%s') walks at %g; %s",
+             clips.slow, name(clips.slow), out.slow_speed(), clips.walk, name(clips.walk), speed, name_another);
 }
 
 }  // namespace claque::track

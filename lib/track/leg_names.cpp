@@ -1,4 +1,5 @@
 // Finds thigh, shin, foot and toes of both legs, torso, neck and head by their names.
+#include <algorithm>
 #include <string>
 
 #include "lib/base/error.h"
@@ -15,9 +16,49 @@ using model::none;
 namespace
 {
 
-// Figures of blocks have legs without knees, which no names of nodes replace.
-void expect_knees(const model::Rig &rig, const LocomotionClips &clips)
+constexpr const char *parts[] = {"thigh", "shin", "foot"};
+
+std::string quoted(const model::Rig &rig, uint32_t node) { return "'" + std::string(rig.node_names[node]) + "'"; }
+
+std::string clip_option(const model::Rig &rig, const LocomotionClips &clips)
 {
+    if (clips.walk >= rig.clip_names.size()) return "";
+    const std::string name(rig.clip_names[clips.walk]);
+    const bool is_word = std::all_of(name.begin(), name.end(), [](char c) {  // for a shell: Armature|Walk is none
+        return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+    });
+    return " --clip " + (is_word ? name : '"' + name + '"');
+}
+
+[[noreturn]] void refuse_knees(const model::Rig &rig, const LocomotionClips &clips, const std::string &legs)
+{
+    base::fail(CLQ_ARGUMENT,
+               "each leg is %s, and walkers on tracks bend thigh, shin and foot: no option replaces joints that a file "
+               "lacks; 'claque render FILE%s' shows it walking on the spot",
+               legs.c_str(), clip_option(rig, clips).c_str());
+}
+
+// Whether all nodes below move others, or end a chain.
+bool is_last(const model::Rig &rig, uint32_t node)
+{
+    for (uint32_t i = 0; i < rig.node_count(); ++i)
+        if (rig.parents[i] == node &&
+            !model::is_control(model::plain_name(rig.node_names[i], rig.parents.get_allocator().resource())))
+            return false;
+    return true;
+}
+
+// Figures of blocks have legs without knees or without ankles, which no names of nodes replace.
+void expect_three_nodes(const model::Rig &rig, const LocomotionClips &clips)
+{
+    std::string pairs;
+    for (const auto &leg : clips.legs) {
+        const bool kneeless = leg[1] == none && leg[2] != none && leg[0] != none && rig.parents[leg[2]] == leg[0];
+        const bool footless = leg[2] == none && leg[1] != none && leg[0] != none && is_last(rig, leg[1]);
+        if (!kneeless && !footless) continue;
+        pairs += (pairs.empty() ? "" : ", ") + quoted(rig, leg[0]) + " with " + quoted(rig, leg[kneeless ? 2 : 1]);
+    }
+    if (has(pairs, ", ")) refuse_knees(rig, clips, "two nodes (" + pairs + ")");
     for (const auto &leg : clips.legs)
         if (leg[0] != none || leg[1] != none || leg[2] != none) return;
     uint32_t whole[2] = {none, none};
@@ -30,12 +71,17 @@ void expect_knees(const model::Rig &rig, const LocomotionClips &clips)
         leg = i;
     }
     if (whole[0] == none || whole[1] == none) return;
-    const std::string walk =
-        clips.walk < rig.clip_names.size() ? " --clip " + std::string(rig.clip_names[clips.walk]) : "";
-    base::fail(CLQ_ARGUMENT,
-               "each leg is one node ('%s', '%s'), and walkers on tracks bend thigh, shin and foot: no option replaces "
-               "joints that a file lacks; 'claque render FILE%s' shows it walking on the spot",
-               rig.node_names[whole[0]].c_str(), rig.node_names[whole[1]].c_str(), walk.c_str());
+    refuse_knees(rig, clips, "one node (" + quoted(rig, whole[0]) + ", " + quoted(rig, whole[1]) + ")");
+}
+
+// The parts of a leg that have names, as ", though 'thigh_l' is like a thigh".
+std::string found_of(const model::Rig &rig, const uint32_t (&leg)[4])
+{
+    std::string out;
+    for (int part = 0; part < 3; ++part)
+        if (leg[part] != none)
+            out += (out.empty() ? ", though " : " and ") + quoted(rig, leg[part]) + " is like a " + parts[part];
+    return out;
 }
 
 }  // namespace
@@ -46,15 +92,17 @@ void find_legs(const model::Rig &rig, LocomotionClips &clips)
         for (const uint32_t node : leg)
             if (node != none) return;
     model::find_limbs(rig, clips.legs);
-    expect_knees(rig, clips);
-    constexpr const char *sides[] = {"left", "right"}, *parts[] = {"thigh", "shin", "foot"};
+    expect_three_nodes(rig, clips);
+    constexpr const char *sides[] = {"left", "right"};
     for (int side = 0; side < 2; ++side)
         for (int part = 0; part < 3; ++part)
             if (clips.legs[side][part] == none)
                 base::fail(CLQ_ARGUMENT,
-                           "no node is named like a %s %s: name the nodes of the legs (legs of a scenario's class, "
-                           "--legs of the command, clq_locomotion_def.legs)",
-                           sides[side], parts[part]);
+                           "no node is named like a %s %s%s: name the nodes of the legs (legs of a scenario's class, "
+                           "--legs of the command, clq_locomotion_def.legs), each with a hip, a knee and an ankle; "
+                           "without them 'claque render FILE%s' shows its clips on the spot",
+                           sides[side], parts[part], found_of(rig, clips.legs[side]).c_str(),
+                           clip_option(rig, clips).c_str());
 }
 
 void find_upper(const model::Rig &rig, LocomotionClips &clips)

@@ -39,7 +39,9 @@ void set_legs(const model::Template &tmpl, Locomotion &out)
         length += 0.5 * (distance(hip, knee) + distance(knee, ankle));
     }
     out.leg_length = static_cast<float>(length);
-    if (!(out.leg_length > 0)) fail(CLQ_ARGUMENT, "the legs of template '%s' have no length", tmpl.name.c_str());
+    if (!(out.leg_length > 0))
+        fail(CLQ_ARGUMENT, "the legs of template '%s' have no length: thigh, shin and foot are in one place",
+             tmpl.name.c_str());
     for (int f = 0; f < 2; ++f) {
         const uint32_t *nodes = out.clips.legs[f];
         pose::Leg &leg = out.legs[f];

@@ -53,6 +53,20 @@ TEST_F(NamesCommand, AreListedOfAFileOfClipsAndWhyAnOwlDoesNotWalk)
     EXPECT_NE(owl.out.find("no locomotion: the character owl has no clip named walk"), std::string::npos) << owl.out;
 }
 
+TEST_F(NamesCommand, OfOneNodeHaveNoClipThatItCouldWalkBy)
+{
+    Maker maker;
+    maker.triangle();
+    const auto bytes = maker.glb();
+    std::ofstream(path("wolf.glb"), std::ios::binary)
+        .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    const std::string said = claque({"inspect", path("wolf.glb"), "--nodes"}).out;
+    EXPECT_NE(said.find("has a skeleton of 1 node, and walkers have a hip, a knee and an ankle on each side"),
+              std::string::npos)
+        << said;
+    EXPECT_EQ(said.find("--walk"), std::string::npos) << said;
+}
+
 TEST_F(NamesCommand, ThatAreNotThereBringTheNearOnes)
 {
     write("walk.bvh", "");

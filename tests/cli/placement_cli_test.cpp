@@ -224,7 +224,7 @@ TEST_F(PlacementOptions, NameTheNodesOfLegs)
     EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1"}),
                      "are 4 names; 6 or 8 are wanted"));
     EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B9"}),
-                     "has no node named B9"));
+                     "has no node named B9; there are: "));
 }
 
 // As Quaternius names them.

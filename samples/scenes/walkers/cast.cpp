@@ -73,8 +73,22 @@ uint32_t node_of(const Member &member, const std::string &name)
 {
     const uint32_t node = name.empty() ? CLQ_NONE : clq_template_find_node(member.tmpl, name.c_str());
     if (!name.empty() && node == CLQ_NONE)
-        throw Failure("the character " + member.described.character + " has no node named " + name);
+        throw Failure("the character " + member.described.character + " has no node named " + name +
+                      claque::base::names_near(name, names_of_nodes(member.tmpl)));
     return node;
+}
+
+// Two legs of thigh, shin and foot, and the node above them. No clip and no option replaces them.
+void expect_limbs(const Member &member)
+{
+    constexpr size_t least_nodes = 7;
+    const size_t nodes = names_of_nodes(member.tmpl).size();
+    if (nodes < least_nodes)
+        throw Failure(
+            "the character " + member.described.character + " has a skeleton of " + std::to_string(nodes) +
+            (nodes == 1 ? " node" : " nodes") +
+            ", and walkers have a hip, a knee and an ankle on each side: another character walks, or this one "
+            "with a skeleton from a modelling program; 'claque render FILE' shows it as it is");
 }
 
 void name_limbs(const Member &member, clq_locomotion_def &def)
@@ -160,6 +174,7 @@ GaitClips gait_clips(const Member &member)
     out.idles = idles_of(member);
     if (out.walk != CLQ_NONE) return out;
     const std::vector<std::string> names = names_of_clips(member.tmpl);
+    expect_limbs(member);
     throw Failure("the character " + member.described.character +
                   " has no clip named walk; it has: " + (names.empty() ? "none" : io::joined(names)) +
                   "; --walk NAME where people walk on tracks, or walk in the clips of a scenario's class, chooses one, "

@@ -116,6 +116,8 @@ TEST(SpeedsOfClips, AscendFromTheSlowWalkToTheRun)
     EXPECT_NE(refusal(1, 1, 1.1, 0.9f).find("walks slowly at 1 units a second"), std::string::npos);
     EXPECT_NE(refusal(0.9, 1, 1, 0.9f).find("runs at 1 units a second"), std::string::npos);
     EXPECT_NE(refusal(0.9, 1, 0.95, 0.9f).find("runs at 0.95 units a second"), std::string::npos);
+    EXPECT_NE(refusal(0.9, 1, 1, 0.9f).find("; name another one (--walk of the command, clips of a scenario's class"),
+              std::string::npos);
     EXPECT_EQ(refusal(0.9, 1, 1.1, 9.9f), "");
     EXPECT_NE(refusal(0.9, 1, 1.1, 10.1f).find("of a leg's length a cycle: a walk in place is wanted"),
               std::string::npos);
