@@ -37,19 +37,13 @@ public:
     };
     using Flags = std::vector<bool>;  // one a node
 
-    explicit Limbs(const Rig &rig) : rig_(rig), limbs_(rig.node_count(), {-1, -1}), ranks_(rig.node_count(), 1)
+    explicit Limbs(const Rig &rig) : rig_(rig), limbs_(rig.node_count(), {-1, -1}), ranks_(ranks_of(rig))
     {
         for (uint32_t i = 0; i < rig.node_count(); ++i) {
             const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
             const Side side = side_of(rig.node_names[i], plain);
             const uint32_t part = part_of(plain);
             if (side != Side::unknown && part != none) limbs_[i] = {side == Side::left ? 0 : 1, static_cast<int>(part)};
-        }
-        constexpr math::Affine identity;
-        for (const PaletteEntry &entry : rig.palette) {
-            const bool rigid = std::equal(identity.c, identity.c + 12, entry.inverse_bind.c);
-            if (!rigid) ranks_[entry.node] = 0;
-            else if (ranks_[entry.node] == 1) ranks_[entry.node] = 2;
         }
     }
 
@@ -132,6 +126,18 @@ bool is_below(const model::Rig &rig, uint32_t node, uint32_t above)
 {
     while (node != none && node != above) node = rig.parents[node];
     return node == above;
+}
+
+std::vector<uint8_t> ranks_of(const Rig &rig)
+{
+    std::vector<uint8_t> ranks(rig.node_count(), 1);
+    constexpr math::Affine identity;
+    for (const PaletteEntry &entry : rig.palette) {
+        const bool rigid = std::equal(identity.c, identity.c + 12, entry.inverse_bind.c);
+        if (!rigid) ranks[entry.node] = 0;
+        else if (ranks[entry.node] == 1) ranks[entry.node] = 2;
+    }
+    return ranks;
 }
 
 void find_limbs(const Rig &rig, uint32_t (&legs)[2][4])

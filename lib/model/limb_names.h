@@ -2,6 +2,8 @@
 // claque's own.
 #pragma once
 
+#include <vector>
+
 #include "lib/model/rig.h"
 
 namespace claque::model
@@ -21,6 +23,9 @@ Side side_of(std::string_view name, std::string_view plain);
 bool is_control(std::string_view plain);
 
 bool is_below(const Rig &rig, uint32_t node, uint32_t above);  // or the same
+
+// Among nodes of like names, by node: 0 for a skin's joint, 1 for a node that draws nothing, 2 for a rigid mesh.
+std::vector<uint8_t> ranks_of(const Rig &rig);
 
 // Thigh, shin, foot and toes of the left and the right leg, by their names; none where no node has one. A mesh may hang
 // on a joint and have a limb's name too: joints of skins come first, then nodes that draw nothing, and among equals one

@@ -121,8 +121,15 @@ void find_upper(const model::Rig &rig, LocomotionClips &clips)
                 if (is_below(rig, leg[part], node)) return true;
         return false;
     };
-    clips.head = find([&](uint32_t i, std::string_view plain) {
+    const auto is_head = [&](uint32_t i, std::string_view plain) {
         return has(plain, "head") && !has(plain, "top") && !has(plain, "nub") && !carries_leg(i);
+    };
+    // A mesh may have the name too: the first joint of a skin, and of a chain of heads the topmost.
+    const std::vector<uint8_t> ranks = model::ranks_of(rig);
+    for (uint8_t rank = 0; rank <= 2 && clips.head == none; ++rank)
+        clips.head = find([&](uint32_t i, std::string_view plain) { return ranks[i] == rank && is_head(i, plain); });
+    clips.head = find([&](uint32_t i, std::string_view plain) {
+        return clips.head != none && is_below(rig, clips.head, i) && is_head(i, plain);
     });
     const uint32_t top = clips.head;
     const auto carries_head = [&](uint32_t i) { return top != none && i != top && is_below(rig, top, i); };

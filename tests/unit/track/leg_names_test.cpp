@@ -195,6 +195,26 @@ TEST(LegNames, ThatAreMissingAreNamedBesideTheOthersAndTheRemedies)
         << wolf;
 }
 
+// As KayKit's characters have it: a mesh of that name hangs beside the skeleton, before the joint.
+TEST(HeadNames, OfJointsComeBeforeThoseOfMeshes)
+{
+    const auto head_of = [](const std::vector<std::pair<const char *, int>> &nodes,
+                            std::initializer_list<uint32_t> skin, uint32_t rigid = model::none) {
+        model::Rig rig = rig_of(nodes);
+        math::Affine bind;
+        bind.set_column(3, glm::vec3(0, -1, 0));
+        for (const uint32_t joint : skin) rig.palette.push_back({joint, bind});
+        if (rigid != model::none) rig.palette.push_back({rigid, math::Affine()});
+        track::LocomotionClips clips;
+        track::find_upper(rig, clips);
+        return clips.head == model::none ? "" : std::string(rig.node_names[clips.head]);
+    };
+    EXPECT_EQ(head_of({{"Rig", -1}, {"Mage_Head", 0}, {"chest", 0}, {"head", 2}}, {2, 3}), "head");
+    EXPECT_EQ(head_of({{"Rig", -1}, {"Mage_Head", 0}, {"head", 0}}, {}, 1), "head");
+    EXPECT_EQ(head_of({{"Rig", -1}, {"head", 0}, {"head_ear_l", 1}}, {2}), "head") << "of a chain the topmost";
+    EXPECT_EQ(head_of({{"Rig", -1}, {"Head", 0}}, {}, 1), "Head") << "of blocks";
+}
+
 // Every way to name a side with every word for each part; controls, which no leg has, come first.
 TEST(LegNames, OfEachSideAndPartAreFound)
 {
