@@ -24,6 +24,7 @@ public:
     void take(uint64_t bytes, const char *what);
     void take_transforms(uint64_t count, const char *what);
 
+    uint64_t source_bytes() const { return source_; }
     // What is left of the bytes, and what one search of poses may evaluate.
     uint64_t bytes() const { return bytes_ - taken_; }
     uint64_t transforms() const { return transforms_; }

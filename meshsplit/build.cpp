@@ -178,7 +178,8 @@ private:
     void fill_levels(std::vector<Mesh> &meshes)
     {
         const ZoneImages zone_images(out_.textures);
-        const ZoneLimits limits = {allowance_.bytes() / 2, allowance_.texels()};
+        const ZoneLimits limits = {allowance_.bytes() / 2, allowance_.texels(), allowance_.source_bytes(),
+                                   model_.zones.size()};
         const uint32_t count = static_cast<uint32_t>(meshes.size());
         std::vector<TriangleZones> zones(count);
         options_.jobs.try_each(count, [&](uint32_t k) {

@@ -207,12 +207,15 @@ private:
     std::unordered_map<uint64_t, uint32_t> copies_;
 };
 
-[[noreturn]] void refuse(size_t triangles, const char *where, size_t more, uint64_t maximum)
+[[noreturn]] void refuse(size_t triangles, const char *where, size_t more, const ZoneLimits &limits)
 {
-    base::fail(CLQ_LIMIT,
-               "%zu triangles%s show %zu zones besides their first, and %llu are the most for the bytes read: a file "
-               "with fewer materials, or a zone map with fewer zones, or with fewer specks of them, shows fewer",
-               triangles, where, more, base::big(maximum));
+    base::fail(
+        CLQ_LIMIT,
+        "%zu triangles%s show %zu zones besides their first, and %llu are the most for the %llu bytes read; "
+        "%zu zones are too many: fewer come from materials joined in the file, or from a zone map of fewer colours "
+        "and specks (--propose N or --zones PNG of claque prepare, clq_asset_set_zone_map)",
+        triangles, where, more, base::big(limits.bytes / TriangleZones::bytes_per_zone), base::big(limits.source_bytes),
+        limits.zones);
 }
 
 }  // namespace
@@ -245,9 +248,9 @@ TriangleZones zones_of_triangles(const Mesh &mesh, const ZoneImages &zone_images
         if (collectors[texture].texels() > limits.texels)
             base::fail(CLQ_LIMIT,
                        "%zu of %zu triangles cover more than the %llu texels that the bytes read allow: "
-                       "a smaller max_texture_px makes them fewer",
+                       "a smaller max_texture_px (--texture-size of prepare) makes them fewer",
                        out.triangles(), mesh.triangles.size(), base::big(limits.texels));
-        if (out.besides_first() > maximum) refuse(out.triangles(), "", out.besides_first(), maximum);
+        if (out.besides_first() > maximum) refuse(out.triangles(), "", out.besides_first(), limits);
     }
     return out;
 }
@@ -257,7 +260,7 @@ uint64_t stream_bytes(const std::vector<TriangleZones> &levels, const ZoneLimits
     size_t triangles = 0, more = 0;
     for (const TriangleZones &level : levels) triangles += level.triangles(), more += level.besides_first();
     const uint64_t maximum = limits.bytes / TriangleZones::bytes_per_zone;
-    if (more > maximum) refuse(triangles, " in all levels of detail", more, maximum);
+    if (more > maximum) refuse(triangles, " in all levels of detail", more, limits);
     return TriangleZones::bytes_per_zone * more;
 }
 

@@ -41,6 +41,8 @@ struct ZoneImages {
 // looked at for one level.
 struct ZoneLimits {
     uint64_t bytes = ~0ull, texels = ~0ull;
+    uint64_t source_bytes = 0;  // read of a file, and the zones of all textures: for the sentence of a refusal
+    size_t zones = 0;
 };
 
 // A triangle that shows only holes counts as one of the lowest zone; holes never make a triangle dirty. Throws
