@@ -15,20 +15,23 @@ const std::map<std::string, std::vector<std::string>> &joints()
 {
     static const std::map<std::string, std::vector<std::string>> all = {
         {"pelvis", {"hips", "pelvis", "hip"}},
-        {"spine1", {"spine", "spine1", "abdomen", "torsojoint1"}},
-        {"spine2", {"spineupper", "spine1", "spine2", "torso", "chest"}},
-        {"spine3", {"upperchest", "chest", "spine2", "spine3", "torso"}},
-        {"neck", {"neck", "neck1", "neckjoint1"}},
+        {"spine1", {"spine", "spine1", "abdomen", "abdomenlower", "torsojoint1"}},
+        {"spine2", {"spineupper", "spine1", "spine2", "abdomen2", "abdomenupper", "torso", "chest"}},
+        {"spine3", {"upperchest", "chestupper", "chest", "spine2", "spine3", "torso"}},
+        {"neck", {"neck", "neck1", "necklower", "neckjoint1"}},
         {"head", {"head", "neckjoint2", "skeletonneckjoint2"}},
-        {"collar", {"clavicle*", "@shoulder", "*shoulder", "shoulder*", "collar*"}},
-        {"shoulder", {"upperarm*", "@arm", "@upperarm", "*upperarm", "armjoint*1"}},
-        {"elbow", {"forearm*", "lowerarm*", "@forearm", "@lowerarm", "*lowerarm", "armjoint*2"}},
+        {"collar", {"clavicle*", "*clavicle", "@shoulder", "*shoulder", "shoulder*", "collar*", "*collar"}},
+        {"shoulder", {"upperarm*", "@arm", "@upperarm", "*upperarm", "*shldr", "*shldrbend", "armjoint*1"}},
+        {"elbow",
+         {"forearm*", "lowerarm*", "@forearm", "@lowerarm", "*lowerarm", "*forearm", "*forearmbend", "armjoint*2"}},
         {"wrist", {"hand*", "wrist*", "@hand", "*hand", "fist*", "palm*", "armjoint*3"}},
-        {"hand", {"fingers*", "hand*", "@handmiddle1", "@middleproximal", "*middle1", "middle1*", "middle2*", "fist*"}},
-        {"hip", {"thigh*", "upperleg*", "@upleg", "@upperleg", "*upperleg", "legjoint*1"}},
-        {"knee", {"shin*", "lowerleg*", "@leg", "@lowerleg", "*lowerleg", "calf*", "legjoint*2"}},
+        {"hand",
+         {"fingers*", "hand*", "@handmiddle1", "@middleproximal", "*middle1", "middle1*", "middle2*", "*mid1",
+          "*finger2", "fist*"}},
+        {"hip", {"thigh*", "upperleg*", "@upleg", "@upperleg", "*upperleg", "*thigh", "*thighbend", "legjoint*1"}},
+        {"knee", {"shin*", "lowerleg*", "@leg", "@lowerleg", "*lowerleg", "calf*", "*shin", "*calf", "legjoint*2"}},
         {"ankle", {"foot*", "@foot", "*foot", "legjoint*3"}},
-        {"foot", {"toes*", "toe*", "@toes", "@toebase", "*toebase", "legjoint*5"}}};
+        {"foot", {"toes*", "toe*", "@toes", "@toebase", "*toebase", "*toes", "*toe", "*toe0", "legjoint*5"}}};
     return all;
 }
 
@@ -59,7 +62,7 @@ std::string plain_name(const std::string &name)
     for (const char c : name)
         if (std::isalnum(static_cast<unsigned char>(c)) != 0)
             out += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    for (const char *prefix : {"mixamorig", "jbipc", "jbip", "bip01", "def"})
+    for (const char *prefix : {"mixamorig", "jbipc", "jbip", "bip01", "bip001", "def"})
         if (out.rfind(prefix, 0) == 0 && out.size() > std::string(prefix).size())
             return out.substr(std::string(prefix).size());
     return out;

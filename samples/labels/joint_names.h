@@ -1,5 +1,5 @@
-// The joints that people have in common, by the names that the conventions of Mixamo, VRM, Quaternius, KayKit and
-// claque's own characters give them.
+// The joints that people have in common, by the names that the conventions of Mixamo, VRM, Quaternius, KayKit, Daz,
+// Poser, 3ds Max and claque's own characters give them.
 #pragma once
 
 #include <cstdint>

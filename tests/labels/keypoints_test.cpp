@@ -71,4 +71,29 @@ TEST(JointNames, HaveBothSidesOfWhatPeopleHaveTwice)
     for (const std::string &name : labels::smpl_keypoints().names) EXPECT_TRUE(has(name.c_str())) << name;
 }
 
+using Names = std::vector<const char *>;
+
+// The nodes of a maker's left side by the joints that they are.
+TEST(JointNames, OfDazPoserAndBipedsAreKnown)
+{
+    const Names joints = {"pelvis",    "spine1",      "spine2",        "spine3",     "neck",
+                          "head",      "left_collar", "left_shoulder", "left_elbow", "left_wrist",
+                          "left_hand", "left_hip",    "left_knee",     "left_ankle", "left_foot"};
+    for (const Names &nodes :
+         {Names{"pelvis", "abdomen", "abdomen2", "chest", "neck", "head", "lCollar", "lShldr", "lForeArm", "lHand",
+                "lMid1", "lThigh", "lShin", "lFoot", "lToe"},
+          Names{"pelvis", "abdomenLower", "abdomenUpper", "chestUpper", "neckLower", "head", "lCollar", "lShldrBend",
+                "lForearmBend", "lHand", "lMid1", "lThighBend", "lShin", "lFoot", "lToe"},
+          Names{"pelvis", "", "", "", "neck1", "head", "l_shoulder", "l_upperarm", "l_forearm", "l_hand", "l_mid1",
+                "l_thigh", "l_shin", "l_foot", "l_toes"},
+          Names{"Bip001 Pelvis", "Bip001 Spine", "Bip001 Spine1", "Bip001 Spine2", "Bip001 Neck", "Bip001 Head",
+                "Bip001 L Clavicle", "Bip001 L UpperArm", "Bip001 L Forearm", "Bip001 L Hand", "Bip001 L Finger2",
+                "Bip001 L Thigh", "Bip001 L Calf", "Bip001 L Foot", "Bip001 L Toe0"}}) {
+        std::map<std::string, uint32_t> plain;
+        for (uint32_t i = 0; i < nodes.size(); ++i) plain.emplace(labels::plain_name(nodes[i]), i);
+        for (uint32_t i = 0; i < nodes.size(); ++i)
+            if (*nodes[i] != 0) EXPECT_EQ(labels::find_joint(plain, joints[i]), i) << nodes[i];
+    }
+}
+
 }  // namespace
