@@ -163,14 +163,14 @@ TEST_F(Placement, ThatCannotBeIsRefusedWithTheRemedy)
     EXPECT_NE(said(NAN, 0, 0).find("turn_deg is nan: any finite angle is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, -1, 0).find("height_m is -1: more than 0 is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, HUGE_VAL, 0).find("height_m is inf: more than 0"), std::string::npos) << said_;
-    EXPECT_NE(said(0, 1e9, 0).find("height_m is 1e+09, "), std::string::npos) << said_;
+    EXPECT_NE(said(0, 1e9, 0).find("height_m (--height) is 1e+09, "), std::string::npos) << said_;
     EXPECT_NE(said(0, 0, -2).find("scale is -2: 1e-06 to 1e+06 is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, 0, 1e7).find("scale is 1e+07: "), std::string::npos) << said_;
     EXPECT_NE(said(0, 1.8, 2).find("height_m is 1.8 and scale is 2: each gives the size"), std::string::npos) << said_;
     clq_asset_options tall = clq_asset_options_init();
     tall.height_m = 2;
     EXPECT_FALSE(load(bytes_of(written::path_of("WrittenClips.glb", "")), tall));
-    EXPECT_NE(said_.find("has no height: scale multiplies its size"), std::string::npos) << said_;
+    EXPECT_NE(said_.find("has no height: scale (--scale) multiplies its size"), std::string::npos) << said_;
 }
 
 TEST_F(Placement, OfVrm0IsTurnedByItsSpecificationAndOfVrm1IsNot)

@@ -28,11 +28,13 @@ double scale_of(const model::Model &model, const clq_asset_options &options)
     const Box box = rest_box(model);
     const double height = double(box.max[1]) - double(box.min[1]);
     if (!(height > 0))
-        fail(CLQ_ARGUMENT, "height_m is %g, and the rest pose of '%s' has no height: scale multiplies its size",
+        fail(CLQ_ARGUMENT,
+             "height_m (--height) is %g, and the rest pose of '%s' has no height: scale (--scale) multiplies its size",
              options.height_m, model.name.c_str());
     const double scale = options.height_m / height;
     if (!is_scale(scale))
-        fail(CLQ_ARGUMENT, "height_m is %g, %g times the height of '%s', which is %g: %g to %g times are possible",
+        fail(CLQ_ARGUMENT,
+             "height_m (--height) is %g, %g times the height of '%s', which is %g: %g to %g times are possible",
              options.height_m, scale, model.name.c_str(), height, 1 / largest_scale, largest_scale);
     return scale;
 }
