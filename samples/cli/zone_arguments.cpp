@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "lib/base/near_names.h"
+#include "samples/cli/characters.h"
 #include "samples/cli/files.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/io/png.h"
@@ -174,6 +175,10 @@ ZoneMap give_zones(scenes::Library &library, clq_asset *asset, const ZoneArgumen
             throw scenes::Failure("--zone, --reduce and --zones-out need --zones or --propose");
         return map;
     }
+    const clq_asset_info info = info_of(asset);
+    if (info.image_count == 0)
+        throw scenes::Failure(std::string("--zones and --propose divide a picture, and '") + info.name +
+                              "' has none: its zones are its materials (" + std::to_string(info.material_count) + ")");
     if (!a.map.empty()) expect_writable(a.map);
     Zones zones = a.painted.empty() ? propose(asset, a) : read_painted(library, a.painted);
     name_zones(zones, a.names);
@@ -185,6 +190,7 @@ ZoneMap give_zones(scenes::Library &library, clq_asset *asset, const ZoneArgumen
     map.def.zones = map.zones.data();
     scenes::check(clq_asset_set_zone_map(library.context(), asset, &map.def));
     if (!a.map.empty()) write_map(asset, a, zones);
+    std::fprintf(stderr, "%-9s %7s  %s\n", "zone", "picture", "name");
     for (size_t i = 0; i < zones.keys.size(); ++i) {
         const size_t texels = static_cast<size_t>(std::count(zones.texels.begin(), zones.texels.end(), i));
         std::fprintf(stderr, "%-9s %5.1f %%  %s%s\n", zones.keys[i].c_str(),

@@ -1,6 +1,9 @@
 // prepare: zones for characters that have none, proposed and painted.
+#include <fstream>
+
 #include "tests/cli/picture.h"
 #include "tests/cli/run.h"
+#include "tests/support/gltf_maker.h"
 
 namespace cli_test
 {
@@ -16,6 +19,7 @@ TEST_F(Prepare, AProposedMapGivenBackAsAPaintedOneMakesTheSameZones)
                                      "--reduce", "light", "--zones-out", path("map.png"), "--out", path("a.clq")});
     ASSERT_EQ(proposed.code, 0) << proposed.err;
     EXPECT_NE(proposed.err.find("light, light and dark"), std::string::npos) << proposed.err;
+    EXPECT_NE(proposed.err.find("zone      picture  name\n1         "), std::string::npos) << proposed.err;
     const Picture map = picture_of(path("map.png"));
     ASSERT_EQ(map.width, 512);
     const Outcome painted = claque({"prepare", "citizen", "--zones", path("map.png"), "--out", path("b.clq")});
@@ -67,6 +71,20 @@ TEST_F(Prepare, NamesWhatIsWrongWithItsOptions)
     refused({"--zones", path("nothing.png")}, "nothing.png");
     refused({"--image", "9", "--propose", "3"}, "image 9 does not exist: 'citizen' has 2");
     EXPECT_TRUE(left().empty()) << "nothing is written after an error";
+}
+
+TEST_F(Prepare, OfACharacterWithoutPicturesSaysThatMaterialsAreItsZones)
+{
+    claque::testing::Maker maker;
+    maker.triangle();
+    const claque::testing::Bytes bytes = maker.glb();
+    std::ofstream(path("plain.glb"), std::ios::binary)
+        .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    const Outcome outcome = claque({"prepare", path("plain.glb"), "--propose", "3", "--out", path("c.clq")});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_NE(outcome.err.find("--propose divide a picture, and 'plain' has none: its zones are its materials (1)"),
+              std::string::npos)
+        << outcome.err;
 }
 
 TEST_F(Prepare, KeepsATextureWithinTheSizeThatItIsGiven)
