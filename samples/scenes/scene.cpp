@@ -5,6 +5,26 @@
 namespace scenes
 {
 
+namespace
+{
+
+// Twins are no fault of a file, but few people want a crowd of them.
+void warn_of_likeness(Library &library, const clq_template *tmpl)
+{
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    if (info.clip_count > 0) return;
+    const std::string who = std::string("'") + info.name + "' has no clip", clips = "--clips FILE adds clips";
+    const std::string sentence =
+        info.zone_count > 1 ? who + ", so its people stand alike: " + clips
+                            : who + " and one zone, so its people look alike: " + clips +
+                                  ", and --colours wild, or a zone map of its picture (claque prepare --propose N), "
+                                  "colours that differ";
+    clq_context_log(library.context(), CLQ_LOG_WARNING, sentence.c_str());
+}
+
+}  // namespace
+
 const std::vector<SceneEntry> &scene_entries()
 {
     static const std::vector<SceneEntry> entries = {
@@ -30,6 +50,7 @@ const std::vector<SceneEntry> &scene_entries()
 std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character)
 {
+    if (character.tmpl && crowd_options.count > 1) warn_of_likeness(library, character.tmpl);
     std::vector<std::string> names;
     for (const SceneEntry &entry : scene_entries()) {
         if (name == entry.name) return entry.make(library, crowd_options, character);

@@ -117,5 +117,18 @@ TEST_F(Warnings, OfClipsAreSaidOnceThoughTheyAreReadTwice)
     EXPECT_EQ(times(done.err, "1 joint of the clips not in the character: wing"), 1u) << done.err;
 }
 
+TEST_F(Warnings, OfACrowdThatLooksAlikeNameClipsAndZones)
+{
+    const std::string alike =
+        "'person' has no clip and one zone, so its people look alike: --clips FILE adds clips, "
+        "and --colours wild, or a zone map of its picture (claque prepare --propose N)";
+    for (const auto &words : {commands_[0], commands_[1]}) EXPECT_EQ(times(claque(words).err, alike), 1u);
+    const auto rendered = [&](const std::string &who, const char *count) {
+        return claque({"render", who, "--count", count, "--size", "64x48", "--out", path("a.png")}).err;
+    };
+    EXPECT_EQ(times(rendered(file_, "1"), "alike"), 0u);
+    EXPECT_EQ(times(rendered("citizen", "2"), "alike"), 0u);
+}
+
 }  // namespace
 }  // namespace cli_test
