@@ -186,7 +186,9 @@ void split_into_people(Reading &reading, const TrajectoryOptions &options, Traje
     out.facts.step_s = usual_step_s(reading.rows.all);
     Splitter(reading, options, out).split();
     if (out.people.empty())
-        base::fail(CLQ_ARGUMENT, "no person has a sample from %g to %g s: start_s and end_s, or vehicles",
+        base::fail(CLQ_ARGUMENT,
+                   "no person has a sample from %g to %g s: start_s and end_s choose other times, and vehicles "
+                   "(--vehicles) reads vehicles too",
                    options.start_s, options.end_s);
 }
 

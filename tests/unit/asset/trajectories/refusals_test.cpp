@@ -31,6 +31,14 @@ TEST(TrajectoryRefusals, WhatTheFileDoesNotSayIsAskedForByMemberAndOption)
                    "'name,speed'");
 }
 
+TEST(TrajectoryRefusals, OfAFileWithoutPeopleNameTheOptionThatReadsOthers)
+{
+    asset::TrajectoryOptions late = of_table("id,time,x,y", 1, 1);
+    late.start_s = 100;
+    expect_refused("a 1 2 3\n", CLQ_ARGUMENT,
+                   "from 100 to inf s: start_s and end_s choose other times, and vehicles (--vehicles) reads", late);
+}
+
 TEST(TrajectoryRefusals, ColumnsThatDoNotMakeATableAreNamed)
 {
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "has to name id, x, y, and frame or time: 'id,x,y'", of_table("id,x,y"));
