@@ -1,75 +1,8 @@
-// --turn, --height, --scale, --blend and --legs of commands that load characters, and the same keys of scenarios.
-#include <cmath>
-#include <cstring>
-#include <fstream>
-
-#include "tests/cli/run.h"
-#include "tests/support/gltf_maker.h"
-#include "tests/support/walking_figure.h"
+// --turn, --height, --scale and --blend of commands that load characters, and the same keys of scenarios.
+#include "tests/cli/placement.h"
 
 namespace cli_test
 {
-namespace
-{
-
-using claque::testing::FigureTraits;
-using claque::testing::walking_figure;
-
-class PlacementOptions : public Command
-{
-protected:
-    PlacementOptions()
-    {
-        FigureTraits back;
-        back.heading_deg = 180;
-        write("back.glb", back);
-        back.strange_names = true;
-        write("strange.glb", back);
-        std::ofstream table(path("way.csv"));
-        table << "id,frame,x,y\n";
-        for (int frame = 0; frame <= 50; ++frame) table << "anna," << frame << ',' << 0.12 * frame << ",0\n";
-    }
-    void write(const std::string &name, const FigureTraits &traits) const
-    {
-        const claque::testing::Bytes bytes = walking_figure(traits);
-        std::ofstream(path(name), std::ios::binary)
-            .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-    }
-    Outcome tracks(const std::vector<std::string> &more) const
-    {
-        std::vector<std::string> arguments = {"tracks", path("way.csv"), "--columns", "id,frame,x,y", "--rate",
-                                              "10",     "--unit",        "m"};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return claque(arguments);
-    }
-    std::vector<float> dumped(const std::vector<std::string> &more) const
-    {
-        std::vector<std::string> arguments = {"dump", path("back.glb"), "--out", path("dumped.npy")};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        const Outcome outcome = claque(arguments);
-        EXPECT_EQ(outcome.code, 0) << outcome.err;
-        const std::string file = file_text(path("dumped.npy"));
-        std::vector<float> xyz((file.size() - 128) / sizeof(float));
-        std::memcpy(xyz.data(), file.data() + 128, xyz.size() * sizeof(float));
-        return xyz;
-    }
-    // Of one scenario with a class of this character and these lines.
-    Outcome scenario(const std::string &character, const std::string &lines) const
-    {
-        std::ofstream(path("scenario.toml"))
-            << "name = \"walk\"\n[tracks]\nfile = \"way.csv\"\ncolumns = \"id,frame,x,y\"\nrate_hz = 10\nunit = \"m\"\n"
-            << "[[characters]]\nname = \"people\"\ncharacter = \"" << character << "\"\n"
-            << lines;
-        return claque({"render", "--scenario", path("scenario.toml"), "--size", "64x48", "--out", path("s.png")});
-    }
-};
-
-bool says(const Outcome &outcome, const std::string &sentence)
-{
-    return outcome.err.find(sentence) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_F(PlacementOptions, TurnAndSizeTheCharacterOfAFile)
 {
@@ -109,7 +42,6 @@ TEST_F(PlacementOptions, SayWhatBecomesOfMaterialsThatBlend)
     EXPECT_NE(inspected({"--blend", "add"}).find("--blend"), std::string::npos);
 }
 
-// Pictures of a file, and of the template that was prepared from it, by every command that draws it.
 TEST_F(PlacementOptions, OfAPreparedFileAreThoseOfTheFileThatItWasMadeFrom)
 {
     const std::string why = why_no_context("any");
@@ -141,7 +73,6 @@ TEST_F(PlacementOptions, OfAPreparedFileAreThoseOfTheFileThatItWasMadeFrom)
     EXPECT_TRUE(says(claque(turned), "front.clq is prepared already, with claque prepare"));
 }
 
-// Pictures scale a character to the size of a person; a prepared file keeps its size.
 TEST_F(PlacementOptions, AreAskedForASizeWhereItMatters)
 {
     FigureTraits giant;
@@ -199,91 +130,6 @@ TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
     EXPECT_TRUE(says(claque({"split", path("back.clq"), "--turn", "180"}),
                      "back.clq is prepared already, with claque prepare; --turn, --height, --scale, --blend and --hide "
                      "are for files"));
-}
-
-TEST_F(PlacementOptions, RefuseAWalkerThatFacesBackAndTurnIt)
-{
-    const Outcome back = tracks({"--characters", path("back.glb")});
-    EXPECT_EQ(back.code, 1);
-    EXPECT_TRUE(says(back, "move forward at stance: the character faces -z; turn_deg 180 (--turn 180) turns it"))
-        << back.err;
-    const Outcome turned = tracks({"--characters", path("back.glb"), "--turn", "180"});
-    EXPECT_EQ(turned.code, 0) << turned.err;
-}
-
-TEST_F(PlacementOptions, NameTheNodesOfLegs)
-{
-    const Outcome unnamed = tracks({"--characters", path("strange.glb"), "--turn", "180"});
-    EXPECT_TRUE(says(unnamed, "--legs of the command")) << unnamed.err;
-    const Outcome named =
-        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,A4,B1,B2,B3,B4"});
-    EXPECT_EQ(named.code, 0) << named.err;
-    const Outcome without_toes =
-        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B3", "--head", "Head"});
-    EXPECT_EQ(without_toes.code, 0) << without_toes.err;
-    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1"}),
-                     "are 4 names; 6 or 8 are wanted"));
-    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B9"}),
-                     "has no node named B9; there are: "));
-}
-
-// As Quaternius names them.
-TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
-{
-    FigureTraits man;
-    man.before_clips = "HumanArmature|Man_";
-    write("man.glb", man);
-    const Outcome found = tracks({"--characters", path("man.glb")});
-    EXPECT_EQ(found.code, 0) << found.err;
-    man.before_clips = "Sneak";
-    write("man.glb", man);
-    const Outcome none = tracks({"--characters", path("man.glb")});
-    EXPECT_EQ(none.code, 1);
-    EXPECT_TRUE(
-        says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME where people walk on tracks"))
-        << none.err;
-    const Outcome named = tracks({"--characters", path("man.glb"), "--walk", "SneakWalk"});
-    EXPECT_EQ(named.code, 0) << named.err;
-    EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--walk", "SneakWlak"}), "no clip named SneakWlak"));
-}
-
-// As Mixamo and Blender number them.
-TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
-{
-    FigureTraits man;
-    man.before_clips = "M_", man.after_clips = "_001";
-    write("man.glb", man);
-    const Outcome found = tracks({"--characters", path("man.glb")});
-    EXPECT_EQ(found.code, 0) << found.err;
-    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --clips"));
-}
-
-TEST_F(PlacementOptions, LetAPreparedFileWalk)
-{
-    ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
-    const Outcome walks = tracks({"--characters", path("back.clq")});
-    EXPECT_EQ(walks.code, 0) << walks.err;
-    EXPECT_TRUE(says(tracks({"--characters", path("back.clq"), "--turn", "180"}),
-                     "back.clq is prepared already, with claque prepare, which takes --turn"));
-    EXPECT_TRUE(says(claque({"inspect", "citizen", "--clips", path("back.clq")}), "it is a prepared template"));
-}
-
-TEST_F(PlacementOptions, AddClipsToWhoWalks)
-{
-    FigureTraits still, walks;
-    still.before_clips = "Other", walks.before_clips = "";
-    write("still.glb", still), write("walks.glb", walks);
-    const auto played = [&](const std::vector<std::string> &more) {
-        std::vector<std::string> arguments = {
-            "play",  path("way.csv"),   "--columns",       "id,frame,x,y", "--rate", "10",     "--unit",
-            "m",     "--characters",    path("still.glb"), "--size",       "64x48",  "--time", "1",
-            "--out", path("played.png")};
-        arguments.insert(arguments.end(), more.begin(), more.end());
-        return claque(arguments);
-    };
-    EXPECT_TRUE(says(played({}), "has no clip named walk"));
-    const Outcome outcome = played({"--clips", path("walks.glb")});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
 TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)

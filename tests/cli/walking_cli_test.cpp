@@ -1,0 +1,90 @@
+// --legs, --walk and --clips: the nodes and clips by which characters of files walk.
+#include "tests/cli/placement.h"
+
+namespace cli_test
+{
+
+TEST_F(PlacementOptions, RefuseAWalkerThatFacesBackAndTurnIt)
+{
+    const Outcome back = tracks({"--characters", path("back.glb")});
+    EXPECT_EQ(back.code, 1);
+    EXPECT_TRUE(says(back, "move forward at stance: the character faces -z; turn_deg 180 (--turn 180) turns it"))
+        << back.err;
+    const Outcome turned = tracks({"--characters", path("back.glb"), "--turn", "180"});
+    EXPECT_EQ(turned.code, 0) << turned.err;
+}
+
+TEST_F(PlacementOptions, NameTheNodesOfLegs)
+{
+    const Outcome unnamed = tracks({"--characters", path("strange.glb"), "--turn", "180"});
+    EXPECT_TRUE(says(unnamed, "--legs of the command")) << unnamed.err;
+    const Outcome named =
+        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,A4,B1,B2,B3,B4"});
+    EXPECT_EQ(named.code, 0) << named.err;
+    const Outcome without_toes =
+        tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B3", "--head", "Head"});
+    EXPECT_EQ(without_toes.code, 0) << without_toes.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1"}),
+                     "are 4 names; 6 or 8 are wanted"));
+    EXPECT_TRUE(says(tracks({"--characters", path("strange.glb"), "--turn", "180", "--legs", "A1,A2,A3,B1,B2,B9"}),
+                     "has no node named B9; there are: "));
+}
+
+TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
+{
+    FigureTraits man;
+    man.before_clips = "HumanArmature|Man_";
+    write("man.glb", man);
+    const Outcome found = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(found.code, 0) << found.err;
+    man.before_clips = "Sneak";
+    write("man.glb", man);
+    const Outcome none = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(none.code, 1);
+    EXPECT_TRUE(
+        says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME where people walk on tracks"))
+        << none.err;
+    const Outcome named = tracks({"--characters", path("man.glb"), "--walk", "SneakWalk"});
+    EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--walk", "SneakWlak"}), "no clip named SneakWlak"));
+}
+
+TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
+{
+    FigureTraits man;
+    man.before_clips = "M_", man.after_clips = "_001";
+    write("man.glb", man);
+    const Outcome found = tracks({"--characters", path("man.glb")});
+    EXPECT_EQ(found.code, 0) << found.err;
+    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --clips"));
+}
+
+TEST_F(PlacementOptions, LetAPreparedFileWalk)
+{
+    ASSERT_EQ(claque({"prepare", path("back.glb"), "--turn", "180", "--out", path("back.clq")}).code, 0);
+    const Outcome walks = tracks({"--characters", path("back.clq")});
+    EXPECT_EQ(walks.code, 0) << walks.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("back.clq"), "--turn", "180"}),
+                     "back.clq is prepared already, with claque prepare, which takes --turn"));
+    EXPECT_TRUE(says(claque({"inspect", "citizen", "--clips", path("back.clq")}), "it is a prepared template"));
+}
+
+TEST_F(PlacementOptions, AddClipsToWhoWalks)
+{
+    FigureTraits still, walks;
+    still.before_clips = "Other", walks.before_clips = "";
+    write("still.glb", still), write("walks.glb", walks);
+    const auto played = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {
+            "play",  path("way.csv"),   "--columns",       "id,frame,x,y", "--rate", "10",     "--unit",
+            "m",     "--characters",    path("still.glb"), "--size",       "64x48",  "--time", "1",
+            "--out", path("played.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
+    };
+    EXPECT_TRUE(says(played({}), "has no clip named walk"));
+    const Outcome outcome = played({"--clips", path("walks.glb")});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+}
+
+}  // namespace cli_test
