@@ -34,12 +34,15 @@ void read_scenario(SceneArguments &a)
     if (a.scenario.empty()) return;
     auto described = std::make_shared<scenes::Scenario>(scenes::load_scenario(a.scenario, a.mechanisms));
     // For characters of files whose class does not say it.
+    const scenes::Placement &given = a.of_file.placement;
     for (scenes::SocialClass &one : described->characters) {
-        if (scenes::is_file(one.character) && !one.placement.any()) one.placement = a.of_file.placement;
-        one.placement.blend = a.of_file.placement.blend;
-        if (scenes::is_file(one.character)) one.placement.hidden = a.of_file.placement.hidden;
+        if (!scenes::is_file(one.character)) continue;
+        scenes::Placement own = one.placement.is_placed() ? one.placement : given;
+        own.blend = one.placement.blend ? one.placement.blend : given.blend;
+        own.hidden = given.hidden;
+        one.placement = own;
     }
-    expect_files(described->characters, a.of_file.placement);
+    expect_files(described->characters, given);
     a.described = described;
 }
 

@@ -13,14 +13,16 @@ namespace scenes
 struct Placement {
     double turn_deg = 0, height_m = 0, scale = 0;  // as in clq_asset_options
     clq_blend blend = CLQ_BLEND_UNSET;
-    std::vector<std::string> hidden = {};  // nodes
+    std::vector<std::string> hidden = {};          // nodes
 
     bool has_size() const { return height_m != 0 || scale != 0; }
-    bool any() const { return turn_deg != 0 || has_size() || blend != CLQ_BLEND_UNSET || !hidden.empty(); }
+    bool is_placed() const { return turn_deg != 0 || has_size(); }
+    bool any() const { return is_placed() || blend || !hidden.empty(); }
     // `names`: lives as long as the options.
     void give(clq_asset_options &options, std::vector<const char *> &names) const
     {
-        options.turn_deg = turn_deg, options.height_m = height_m, options.scale = scale, options.blend = blend;
+        options.turn_deg = turn_deg, options.height_m = height_m, options.scale = scale;
+        options.blend = blend;
         for (const std::string &name : hidden) names.push_back(name.c_str());
         options.hidden_nodes = names.data(), options.hidden_node_count = static_cast<uint32_t>(names.size());
     }

@@ -1,4 +1,4 @@
-// Characters of files that face another way and walk, in commands and scenarios.
+// Characters of files that face another way, walk and blend, in commands and scenarios.
 #pragma once
 
 #include <cmath>
@@ -35,6 +35,19 @@ protected:
         std::ofstream(path(name), std::ios::binary)
             .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
     }
+    // With a material that blends, and is below the alpha test everywhere.
+    void write_visor() const
+    {
+        using GltfJson = claque::testing::Json;
+        claque::testing::Maker maker;
+        maker.triangle();
+        maker.primitive()["material"] = 0;
+        const GltfJson alpha = {{"baseColorFactor", {1, 1, 1, 0.4}}};
+        maker.add("materials", {{"name", "visor"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", alpha}});
+        const claque::testing::Bytes bytes = maker.glb();
+        std::ofstream(path("visor.glb"), std::ios::binary)
+            .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    }
     Outcome tracks(const std::vector<std::string> &more) const
     {
         std::vector<std::string> arguments = {"tracks", path("way.csv"), "--columns", "id,frame,x,y", "--rate",
@@ -54,13 +67,17 @@ protected:
         return xyz;
     }
     // Of one scenario with a class of this character and these lines.
-    Outcome scenario(const std::string &character, const std::string &lines) const
+    Outcome scenario(const std::string &character, const std::string &lines,
+                     const std::vector<std::string> &more = {}) const
     {
         std::ofstream(path("scenario.toml"))
             << "name = \"walk\"\n[tracks]\nfile = \"way.csv\"\ncolumns = \"id,frame,x,y\"\nrate_hz = 10\nunit = \"m\"\n"
             << "[[characters]]\nname = \"people\"\ncharacter = \"" << character << "\"\n"
             << lines;
-        return claque({"render", "--scenario", path("scenario.toml"), "--size", "64x48", "--out", path("s.png")});
+        std::vector<std::string> arguments = {"render", "--scenario", path("scenario.toml"), "--size",
+                                              "64x48",  "--out",      path("s.png")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
     }
 };
 

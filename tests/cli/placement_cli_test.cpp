@@ -21,15 +21,7 @@ TEST_F(PlacementOptions, TurnAndSizeTheCharacterOfAFile)
 
 TEST_F(PlacementOptions, SayWhatBecomesOfMaterialsThatBlend)
 {
-    using GltfJson = claque::testing::Json;
-    claque::testing::Maker maker;
-    maker.triangle();
-    maker.primitive()["material"] = 0;
-    const GltfJson alpha = {{"baseColorFactor", {1, 1, 1, 0.4}}};
-    maker.add("materials", {{"name", "visor"}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", alpha}});
-    const claque::testing::Bytes bytes = maker.glb();
-    std::ofstream(path("visor.glb"), std::ios::binary)
-        .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    write_visor();
     const auto inspected = [&](const std::vector<std::string> &more) {
         std::vector<std::string> arguments = {"inspect", path("visor.glb")};
         arguments.insert(arguments.end(), more.begin(), more.end());
@@ -141,6 +133,17 @@ TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)
     EXPECT_TRUE(says(scenario("strange.glb", "turn_deg = 180\nlegs = [\"A1\", \"A2\"]\n"), "are 2 names"));
     EXPECT_TRUE(says(scenario("back.glb", "height_m = 1.6\nscale = 2\n"), "has a height_m and a scale"));
     EXPECT_TRUE(says(scenario("citizen", "turn_deg = 180\n"), "has turn_deg, which is for files; citizen is built in"));
+    EXPECT_TRUE(says(scenario("back.glb", "blend = \"add\"\n"), "has the blend 'add': mask or opaque"));
+}
+
+TEST_F(PlacementOptions, BlendAsAClassOfAScenarioSaysOrElseAsTheCommandDoes)
+{
+    write_visor();
+    const std::string left_out = "'visor' is transparent: left out", opaque = "'visor' is transparent: drawn opaque";
+    EXPECT_TRUE(says(scenario("visor.glb", ""), left_out));
+    EXPECT_TRUE(says(scenario("visor.glb", "blend = \"opaque\"\n"), opaque));
+    EXPECT_TRUE(says(scenario("visor.glb", "turn_deg = 90\n", {"--blend", "opaque"}), opaque));
+    EXPECT_TRUE(says(scenario("visor.glb", "blend = \"mask\"\n", {"--blend", "opaque"}), left_out));
 }
 
 }  // namespace cli_test

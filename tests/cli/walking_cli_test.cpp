@@ -1,4 +1,4 @@
-// --legs, --walk and --clips: the nodes and clips by which characters of files walk.
+// --legs, --walk, --idle and --clips: the nodes and clips by which characters of files walk.
 #include "tests/cli/placement.h"
 
 namespace cli_test

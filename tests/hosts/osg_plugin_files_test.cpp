@@ -59,6 +59,8 @@ TEST_F(OsgPluginFiles, RefusesADescriptionByItsLine)
     EXPECT_NE(refusal("character = \"citizen\"\nturn_deg = 180\n").find("refused.claque:2:12: the person has turn_deg"),
               std::string::npos)
         << refusal("character = \"citizen\"\nturn_deg = 180\n");
+    EXPECT_NE(refusal("character = \"citizen\"\nblend = \"opaque\"\n").find("refused.claque:2:9: the person has blend"),
+              std::string::npos);
     EXPECT_NE(refusal("character = \"citizen\"\n\nhat = 1\n").find("refused.claque:3"), std::string::npos);
     EXPECT_NE(refusal("character = \"nixie\"\n").find("nixie"), std::string::npos);
     EXPECT_NE(refusal("character = \"citizen\"\n[palette]\nwings = { hue = [0, 9], saturation = [0, 1], "

@@ -32,6 +32,18 @@ def test_a_warning_of_a_file_is_one_of_python_where_the_file_is_loaded(context, 
     assert [text for level, text in context.log if "lost.png" in text] == [str(caught[0].message)]
 
 
+def test_what_blends_is_a_mask_or_opaque(context, file):
+    made = json.loads(file.read_text())
+    alpha = {"baseColorFactor": [1, 1, 1, 0.4]}
+    made["materials"] = [{"name": "visor", "alphaMode": "BLEND", "pbrMetallicRoughness": alpha}]
+    file.write_text(json.dumps(made))
+    for options, told in (({}, "left out"), ({"blend": "mask"}, "left out"), ({"blend": "opaque"}, "drawn opaque")):
+        with pytest.warns(UserWarning, match=f"'visor' is transparent: {told}"):
+            claque.Template.load(context, file, **options).close()
+    with pytest.raises(ValueError, match="blend is 'add': mask or opaque"):
+        claque.Template.load(context, file, blend="add")
+
+
 def test_a_warning_can_be_an_error(context, file):
     with warnings.catch_warnings():
         warnings.simplefilter("error")

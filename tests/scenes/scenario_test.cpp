@@ -106,10 +106,9 @@ TEST(Scenario, WithAnUnknownKeyIsRefusedAtTheKey)
                    {"mine.toml:28:2:", "the scenario has an unknown key 'wind'", "characters", "tracks", "light"});
     expect_refused(in_section("[tracks]", "\n  speed = 3\n"),
                    {"mine.toml:8:3:", "[tracks]", "'speed'", "max_speed_m_s"});
-    expect_refused(
-        in_class("age = 3\n"),
-        {"mine.toml:19:1:", "[[characters]] 1", "'age'",
-         "there are: character, clips, head, height_m, legs, name, neck, palette, scale, share, torso, turn_deg"});
+    expect_refused(in_class("age = 3\n"), {"mine.toml:19:1:", "[[characters]] 1", "'age'",
+                                           "there are: blend, character, clips, head, height_m, legs, name, neck, "
+                                           "palette, scale, share, torso, turn_deg"});
     expect_refused(in_section("[ground]", "grass = 3\n"), {"[ground]", "'grass'", "paving"});
     expect_refused(in_section("[light]", "moon = 3\n"), {"[light]", "'moon'", "to_sun"});
     expect_refused(in_section("[camera]", "roll = 3\n"), {"[camera] has an unknown key 'roll'", "far_m"});

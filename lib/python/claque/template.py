@@ -10,6 +10,8 @@ from .files import read_file
 from .memory import borrowed
 from .owner import Owned, made
 
+BLENDS = "mask", "opaque"  # by number of clq_blend
+
 
 class ZoneMap:
     """Zones of one of a character's images: `texels` (height, width), the row at v = 0 first, are indices of `zones`,
@@ -42,10 +44,14 @@ class Template(Owned):
 
     @classmethod
     def load(cls, context, path, levels=False, folder="", zone_maps=(), turn_deg=0, height_m=0, scale=0,
-             wild_colours=False):
-        """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor
+             blend="mask", wild_colours=False):
+        """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor;
+        `blend`: materials that blend are drawn where their alpha is 0.5 and more ("mask"), or all of them ("opaque")
         (clq_asset_options). `wild_colours`: individuals wear most hues, not colours near the file's."""
-        options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, wild_colours=wild_colours)
+        if blend not in BLENDS:
+            raise ValueError(f"blend is {blend!r}: {' or '.join(BLENDS)}")
+        options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, blend=BLENDS.index(blend),
+                                   wild_colours=wild_colours)
         return cls._prepare(context, levels, folder, zone_maps, path=str(path).encode(),
                             options=cast(byref(options), POINTER(abi.AssetOptions)))
 

@@ -121,6 +121,7 @@ std::string text_of(const std::string &name, const std::vector<Person> &people, 
         for (const auto &[key, value] :
              {std::pair("turn_deg", placed.turn_deg), {"height_m", placed.height_m}, {"scale", placed.scale}})
             if (value != 0) out += line(key, number(value));
+        if (placed.blend) out += line("blend", quoted(placed.blend == CLQ_BLEND_OPAQUE ? "opaque" : "mask"));
     }
     for (const Person &one : people) {
         out += "\n[[people]]\n" + line("class", quoted(one.character)) + line("at", list(one.at)) +

@@ -72,7 +72,7 @@ void read_clips(TomlTable clips, SocialClass::Clips &out)
             "idles");
 }
 
-// How its file is placed, and which nodes walk.
+// How its file is placed, what becomes of its blending, and which nodes walk.
 void read_placement(TomlTable &described, SocialClass &made)
 {
     const auto has = [&](const char *key) {
@@ -86,6 +86,12 @@ void read_placement(TomlTable &described, SocialClass &made)
     if (has("scale")) made.placement.scale = described.number("scale", {1e-6, 1e6});
     if (made.placement.height_m != 0 && made.placement.scale != 0)
         described.refuse("has a height_m and a scale; each gives the size", "scale");
+    if (has("blend")) {
+        const std::string name = described.text("blend");
+        if (name != "mask" && name != "opaque")
+            described.refuse("has the blend '" + name + "': mask or opaque", "blend");
+        made.placement.blend = name == "opaque" ? CLQ_BLEND_OPAQUE : CLQ_BLEND_MASK;
+    }
     if (has("legs")) made.limbs.legs = described.texts("legs");
     for (const auto &[key, name] :
          {std::pair("torso", &made.limbs.torso), {"neck", &made.limbs.neck}, {"head", &made.limbs.head}})
