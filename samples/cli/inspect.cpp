@@ -7,7 +7,7 @@
 #include "samples/cli/characters.h"
 #include "samples/cli/command.h"
 #include "samples/cli/inspect_nodes.h"
-#include "samples/cli/scene_arguments.h"
+#include "samples/cli/track_arguments.h"
 
 namespace cli
 {
@@ -194,8 +194,17 @@ struct InspectArguments {
     std::string file;
     FileArguments of_file;
     ClipArguments clips;
+    scenes::SocialClass walker;  // its nodes and clips, as options name them
     bool nodes = false, json = false;
 };
+
+bool tells_locomotion(const InspectArguments &a)
+{
+    const scenes::WalkingNodes &limbs = a.walker.limbs;
+    const scenes::SocialClass::Clips &clips = a.walker.clips;
+    return a.nodes || !limbs.legs.empty() || !clips.walk.empty() || !clips.idles.empty() ||
+           !(limbs.torso + limbs.neck + limbs.head).empty();
+}
 
 void inspect(const InspectArguments &a)
 {
@@ -203,7 +212,7 @@ void inspect(const InspectArguments &a)
     Json report = {{"file", a.file}};
     const auto split = [&](clq_template *tmpl) {
         report["split"] = template_json(tmpl);
-        if (a.nodes) add_locomotion(library, tmpl, a.file, report);
+        if (tells_locomotion(a)) add_locomotion(library, tmpl, a.walker, report);
     };
     if (is_prepared(a.file)) {
         const LoadedCharacter loaded = load_character(library, a.file);
@@ -223,7 +232,7 @@ void inspect(const InspectArguments &a)
     }
     if (a.json) std::cout << report.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
     else print_text(report);
-    if (a.nodes && !a.json) print_names(report);
+    if (!a.json) print_names(report);
 }
 
 }  // namespace
@@ -239,9 +248,13 @@ void add_inspect(CLI::App &app, Work &chosen)
     add_clip_options(*c, a->clips);
     c->add_flag("--nodes", a->nodes,
                 "Print the names of nodes, joints and materials too, and the legs and paces of a walker, or why it "
-                "cannot walk");
+                "cannot walk; the options that name its nodes and clips print the latter alone");
+    add_limb_options(*c, a->walker.limbs, a->walker.clips);
     c->add_flag("--json", a->json, "Print JSON");
-    c->callback([a, &chosen] { chosen = [a] { inspect(*a); }; });
+    c->callback([a, &chosen] {
+        a->walker.name = a->walker.character = a->file;
+        chosen = [a] { inspect(*a); };
+    });
 }
 
 }  // namespace cli

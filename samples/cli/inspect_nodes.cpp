@@ -74,6 +74,7 @@ void print_locomotion(const Json &found)
     std::cout << "locomotion, in units of the file and seconds\n";
     for (const char *what : {"left_leg", "right_leg", "upper", "walk", "run", "slow_walk"})
         if (!found[what].is_null()) print_parts(what, found[what]);
+    for (const Json &clip : found["idles"]) print_parts("idle", {{"clip", clip}});
 }
 
 }  // namespace
@@ -105,10 +106,10 @@ void add_names(const clq_template *tmpl, Json &report)
     for (const std::string &name : scenes::names_of_nodes(tmpl)) report["node_list"].push_back({{"name", name}});
 }
 
-void add_locomotion(scenes::Library &library, clq_template *tmpl, const std::string &of, Json &report)
+void add_locomotion(scenes::Library &library, clq_template *tmpl, const scenes::SocialClass &described, Json &report)
 {
     scenes::walkers::Member member;
-    member.described = scenes::walkers::class_of(of);
+    member.described = described;
     member.tmpl = tmpl;
     try {
         const scenes::walkers::GaitClips gaits = scenes::walkers::gait_clips(member);
@@ -116,6 +117,8 @@ void add_locomotion(scenes::Library &library, clq_template *tmpl, const std::str
         clq_locomotion_info info = clq_locomotion_info_init();
         scenes::check(clq_locomotion_get_info(made.get(), &info));
         const std::vector<std::string> clips = scenes::names_of_clips(tmpl);
+        Json idles = Json::array();
+        for (const uint32_t idle : gaits.idles) idles.push_back(clips[idle]);
         report["locomotion"] = {{"left_leg", leg_json(tmpl, info.legs[0])},
                                 {"right_leg", leg_json(tmpl, info.legs[1])},
                                 {"upper",
@@ -125,7 +128,8 @@ void add_locomotion(scenes::Library &library, clq_template *tmpl, const std::str
                                 {"leg_length", rounded(info.leg_length)},
                                 {"walk", gait_json(clips, gaits.walk, info.walk_stride, info.walk_speed)},
                                 {"run", gait_json(clips, gaits.run, info.run_stride, info.run_speed)},
-                                {"slow_walk", gait_json(clips, gaits.slow_walk, info.slow_stride, info.slow_speed)}};
+                                {"slow_walk", gait_json(clips, gaits.slow_walk, info.slow_stride, info.slow_speed)},
+                                {"idles", idles}};
     } catch (const scenes::Failure &why) {
         report["locomotion"] = {{"why_not", why.what()}};
     }
@@ -133,8 +137,10 @@ void add_locomotion(scenes::Library &library, clq_template *tmpl, const std::str
 
 void print_names(const Json &report)
 {
-    std::cout << "nodes\n";
-    print_nodes(report["node_list"]);
+    if (report.contains("node_list")) {
+        std::cout << "nodes\n";
+        print_nodes(report["node_list"]);
+    }
     if (report.contains("material_list")) std::cout << "materials\n";
     if (report.contains("material_list"))
         for (const Json &name : report["material_list"]) std::cout << "  " << name.get<std::string>() << "\n";

@@ -11,9 +11,10 @@ namespace cli
 void add_names(const clq_asset *asset, Json &report);
 // The same of a prepared file, which has names of nodes alone.
 void add_names(const clq_template *tmpl, Json &report);
-// The legs and the pace that a walker would have, or why it cannot walk. `of`: the character's file.
-void add_locomotion(scenes::Library &library, clq_template *tmpl, const std::string &of, Json &report);
+// The legs and the pace that a walker of this class would have, or why it cannot walk.
+void add_locomotion(scenes::Library &library, clq_template *tmpl, const scenes::SocialClass &described, Json &report);
 
+// What these added.
 void print_names(const Json &report);
 
 }  // namespace cli

@@ -47,19 +47,25 @@ void add_reading_options(CLI::App &command, TrackArguments &a)
     command.add_flag("--vehicles", a.vehicles, "SUMO: vehicles too, and people that ride in one");
 }
 
-void add_limb_options(CLI::App &command, TrackArguments &a)
+void add_limb_options(CLI::App &command, scenes::WalkingNodes &limbs, scenes::SocialClass::Clips &gaits)
 {
     command
-        .add_option(
-            "--legs", a.legs,
+        .add_option_function<std::string>(
+            "--legs", [&limbs](const std::string &names) { limbs.legs = names_in(names); },
             "Nodes of the characters of files that walk, with commas: thigh, shin and foot of the left leg, then "
             "of the right; or thigh, shin, foot and toes (default: found by their names)")
         ->type_name("NAMES");
     for (const auto &[option, name] :
-         {std::pair("--torso", &a.limbs.torso), {"--neck", &a.limbs.neck}, {"--head", &a.limbs.head}})
+         {std::pair("--torso", &limbs.torso), {"--neck", &limbs.neck}, {"--head", &limbs.head}})
         command.add_option(option, *name, "Node of these characters that turns with what they look at")
             ->type_name("NAME");
-    command.add_option("--walk", a.walk, "Clip by which these characters walk (default: one named walk or walking)")
+    command
+        .add_option("--walk", gaits.walk, "Clip by which these characters walk (default: one named walk or walking)")
+        ->type_name("NAME");
+    command
+        .add_option_function<std::string>(
+            "--idle", [&gaits](const std::string &name) { gaits.idles = {name}; },
+            "Clip of these characters while they stand (default: those named stand or idle, else the rest pose)")
         ->type_name("NAME");
 }
 
@@ -70,7 +76,7 @@ void add_walking_options(CLI::App &command, TrackArguments &a)
                     "Who walks: built-in people and glTF files with clips named walk, run and idle, with commas "
                     "(default citizen,patrician,plebeian,decurion)")
         ->type_name("NAMES");
-    add_limb_options(command, a);
+    add_limb_options(command, a.limbs, a.gaits);
     command.add_option("--ground", a.area, "The walkable area: WKT, JuPedSim, Menge or Vadere (docs/trajectories.md)")
         ->type_name("FILE");
 }
@@ -91,7 +97,7 @@ clq_trajectories_def reading_of(const TrackArguments &a)
 void refuse_track_options(const CLI::App &command)
 {
     for (const char *name : {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters",
-                             "--ground", "--legs", "--torso", "--neck", "--head", "--walk"})
+                             "--ground", "--legs", "--torso", "--neck", "--head", "--walk", "--idle"})
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
@@ -130,9 +136,7 @@ scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Place
     for (const std::string &name : names_in(a.characters)) {
         scenes::SocialClass one = scenes::walkers::class_of(name);
         if (scenes::is_file(name)) {
-            one.placement = placed, one.limbs = a.limbs;
-            one.limbs.legs = names_in(a.legs);
-            one.clips.walk = a.walk;
+            one.placement = placed, one.limbs = a.limbs, one.clips = a.gaits;
             if (!a.clips.files.empty())
                 one.add_clips = [clips = a.clips](scenes::Library &library, clq_asset *asset) {
                     add_clips(library, asset, clips);
@@ -181,8 +185,9 @@ Json tracks_about(const TrackArguments &a)
                   {"max_speed_m_s", a.max_speed_m_s},
                   {"vehicles", a.vehicles},
                   {"characters", a.characters}};
-    if (!a.legs.empty()) about["legs"] = a.legs;
-    if (!a.walk.empty()) about["walk"] = a.walk;
+    if (!a.limbs.legs.empty()) about["legs"] = a.limbs.legs;
+    if (!a.gaits.walk.empty()) about["walk"] = a.gaits.walk;
+    if (!a.gaits.idles.empty()) about["idle"] = a.gaits.idles;
     for (const std::string &file : a.clips.files) about["clips"].push_back(file);
     for (const std::string &name : {a.limbs.torso, a.limbs.neck, a.limbs.head})
         if (!name.empty()) about["limbs"].push_back(name);

@@ -9,18 +9,17 @@ namespace cli
 
 struct TrackArguments {
     std::string file, columns, unit, up, picture, area, characters, camera, record;
-    std::string legs;            // names with commas
-    std::string walk;            // name of a clip
-    ClipArguments clips;         // more of them, of other files
-    scenes::WalkingNodes limbs;  // but for the legs
+    ClipArguments clips;               // of other files
+    scenes::WalkingNodes limbs;        // of characters of files
+    scenes::SocialClass::Clips gaits;  // likewise
     double rate_hz = 0, max_speed_m_s = 12;
     bool vehicles = false;
 };
 
 // --columns, --rate, --unit, --up, --max-speed, --vehicles: how a file is read.
 void add_reading_options(CLI::App &command, TrackArguments &arguments);
-// --legs, --torso, --neck, --head, --walk: nodes and the clip of the characters of files.
-void add_limb_options(CLI::App &command, TrackArguments &arguments);
+// --legs, --torso, --neck, --head, --walk, --idle: nodes and clips of the characters of files that walk.
+void add_limb_options(CLI::App &command, scenes::WalkingNodes &limbs, scenes::SocialClass::Clips &gaits);
 // These, --characters and --ground: the characters that walk, and the ground below them.
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 // Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.

@@ -201,7 +201,7 @@ void add_tracks(CLI::App &app, Work &chosen)
     c->get_option("--rate")->description(
         "Frame numbers in a second, where the file does not say it; of a record: positions (25)");
     c->add_option("--characters", a->tracks.characters, "Who walks (default citizen)")->type_name("NAMES");
-    add_limb_options(*c, a->tracks);
+    add_limb_options(*c, a->tracks.limbs, a->tracks.gaits);
     add_placement_options(*c, a->placed);
     c->add_option("--seed", a->seed, "Seed of sizes and idle clips")->capture_default_str();
     c->add_option("--plot", a->plot, "Write the plan as SVG or PNG; - is standard output")->check(chart_file);

@@ -123,6 +123,6 @@ constexpr const char *name_nothing_read =
     "--texture --texture-set --scale --class --image --propose --zone --reduce --zones-out --texture-size --html "
     "--pixels-per-degree --write --serve --rates --shots --at --commands --apart --in-turn --live --draw --stall "
     "--vary --tolerance --picture --allow-mechanisms --origin --quiet --turn --blend --legs --torso --neck --head "
-    "--walk --nodes --colours";
+    "--walk --idle --nodes --colours";
 
 }  // namespace cli_test

@@ -56,7 +56,35 @@ TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
     write("man.glb", man);
     const Outcome found = tracks({"--characters", path("man.glb")});
     EXPECT_EQ(found.code, 0) << found.err;
-    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --clips"));
+    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --idle"));
+    const Outcome named = tracks({"--characters", path("man.glb"), "--idle", "M_Run_001"});
+    EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_FALSE(says(named, "rest pose")) << named.err;
+    EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--idle", "M_Rnu_001"}), "'M_Run_001' is near"));
+}
+
+TEST_F(PlacementOptions, NameTheNodesAndClipsThatInspectSays)
+{
+    FigureTraits strange;
+    strange.strange_names = true, strange.before_clips = "Sneak";
+    write("strange.glb", strange);
+    const auto inspected = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {"inspect", path("strange.glb")};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome.out;
+    };
+    EXPECT_EQ(inspected({}).find("locomotion"), std::string::npos);
+    const std::string unnamed = inspected({"--walk", "SneakWalk"});
+    EXPECT_NE(unnamed.find("no locomotion: "), std::string::npos) << unnamed;
+    EXPECT_NE(unnamed.find("--legs"), std::string::npos) << unnamed;
+    const std::string named = inspected({"--walk", "SneakWalk", "--idle", "SneakRun", "--legs", "A1,A2,A3,B1,B2,B3"});
+    EXPECT_NE(named.find("left_leg  thigh \"A1\"  shin \"A2\"  foot \"A3\"\n"), std::string::npos) << named;
+    EXPECT_NE(named.find("walk  clip \"SneakWalk\""), std::string::npos) << named;
+    EXPECT_NE(named.find("idle  clip \"SneakRun\""), std::string::npos) << named;
+    EXPECT_EQ(named.find("\nnodes\n"), std::string::npos) << named;
+    EXPECT_NE(inspected({"--walk", "SneakWlak"}).find("'SneakWalk' is near"), std::string::npos);
 }
 
 TEST_F(PlacementOptions, LetAPreparedFileWalk)

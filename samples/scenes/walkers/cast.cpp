@@ -188,8 +188,9 @@ OwnLocomotion locomotion_of(Library &library, const Member &member)
         clq_context_log(
             library.context(), CLQ_LOG_WARNING,
             (member.described.character +
-             " has no clip named idle or stand, so people who stop take its rest pose: --clips FILE of play "
-             "and prepare adds one, and idles in the clips of a scenario's class names one")
+             " has no clip named idle or stand, so people who stop take its rest pose: --idle NAME where people walk "
+             "on tracks, or idles in the clips of a scenario's class, names one, and --clips FILE of play and prepare "
+             "adds one")
                 .c_str());
     clq_locomotion_def def = clq_locomotion_def_init();
     def.tmpl = member.tmpl;
