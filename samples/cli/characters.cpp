@@ -23,10 +23,10 @@ bool is_builtin(const std::string &path)
 }
 
 // `hidden`: lives as long as the options.
-clq_asset_options options_of(const scenes::Library &library, std::vector<const char *> &hidden,
-                             const FileArguments &of_file, const ClipArguments &clips)
+clq_asset_options options_of(std::vector<const char *> &hidden, const FileArguments &of_file,
+                             const ClipArguments &clips)
 {
-    clq_asset_options options = library.asset_options();
+    clq_asset_options options = clq_asset_options_init();
     of_file.placement.give(options, hidden);
     options.bvh_metres_per_unit = clips.unit_m;
     return options;
@@ -42,7 +42,7 @@ clq_template *in_levels(scenes::Library &library, const std::string &path, const
     clq_status status = CLQ_OK;
     if (clips.files.empty()) {
         std::vector<const char *> names;
-        const clq_asset_options options = options_of(library, names, of_file, clips);
+        const clq_asset_options options = options_of(names, of_file, clips);
         const clq_levels_def levels = clq_levels_def_init();
         clq_prepare_def def = clq_prepare_def_init();
         def.levels = &levels, def.max_texture_px = texture_px;
@@ -112,7 +112,7 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
         if (clips.vary > 0)
             throw scenes::Failure(path + " is no built-in character; only the clips of those can be varied");
         std::vector<const char *> names;
-        const clq_asset_options options = options_of(library, names, of_file, clips);
+        const clq_asset_options options = options_of(names, of_file, clips);
         const clq_status read = clq_asset_load_file(library.context(), path.c_str(), &options, &made);
         if (read != CLQ_OK && is_other_format(path))
             throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");

@@ -2,14 +2,18 @@
 
 #include <iostream>
 
+#include "samples/cli/characters.h"
+#include "samples/cli/files.h"
+
 namespace cli
 {
 
-CLI::Option *add_colours_option(CLI::App &command, std::string &file, bool &wild, const std::string &about)
+CLI::Option *add_colours_option(CLI::App &command, std::string &file, scenes::Placement &placed,
+                                const std::string &about)
 {
-    const auto take = [&file, &wild](const std::string &value) {
-        wild = value == "wild";
-        file = wild ? "" : value;
+    const auto take = [&file, &placed](const std::string &value) {
+        placed.wild_colours = value == "wild";
+        file = placed.wild_colours ? "" : value;
     };
     return command
         .add_option_function<std::string>(
@@ -17,36 +21,63 @@ CLI::Option *add_colours_option(CLI::App &command, std::string &file, bool &wild
         ->type_name("FILE|wild");
 }
 
-void add_colour_options(CLI::App &command, ColourArguments &arguments)
+void add_reload_option(CLI::App &command, bool &reload)
 {
-    CLI::Option *file = add_colours_option(
-        command, arguments.file, arguments.wild,
-        "Colours of people by class and zone (TOML, see `claque colours`) instead of the scene's own");
     command
-        .add_flag("--reload", arguments.reload,
+        .add_flag("--reload", reload,
                   "Check the file of colours before every frame and apply it when it has changed; a broken file "
                   "changes nothing")
-        ->needs(file);
+        ->needs(command.get_option("--colours"));
 }
 
-SceneColours::SceneColours(scenes::Library &library, const ColourArguments &arguments, uint64_t seed)
-    : reload_(arguments.reload), seed_(seed)
+void wear_colours(scenes::SceneOptions &options, const std::string &file)
 {
-    if (arguments.wild && reload_)
+    if (file.empty()) return;
+    expect_readable(file, io::most_text_bytes);  // early, as scenes take time
+    options.make = [file, make = options.make, name = options.scene, character = options.character](
+                       scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
+        std::unique_ptr<scenes::Scene> scene =
+            make ? make(library, crowd_options) : scenes::make_scene(name, library, crowd_options, character);
+        scenes::ColourFile(library, file).apply(*scene, crowd_options.seed);
+        return scene;
+    };
+}
+
+SceneColours::SceneColours(scenes::Library &library, const std::string &file, bool reload, uint64_t seed) : seed_(seed)
+{
+    if (!reload) return;
+    if (file.empty())
         throw scenes::Failure("--reload needs a file of colours, which may change: --colours wild names none");
-    if (!arguments.file.empty()) file_.emplace(library, arguments.file);
+    file_.emplace(library, file);
 }
 
 void SceneColours::apply_to(const scenes::SceneRenderer &scene_renderer)
 {
-    if (!file_ || (applied_ && !reload_)) return;
+    if (!file_) return;
     try {
         file_->apply(scene_renderer.scene(), seed_);
-        applied_ = true;
     } catch (const scenes::Failure &broken) {
-        if (!applied_) throw;
         std::cerr << "claque: colours are unchanged: " << broken.what() << '\n';
     }
+}
+
+void Worn::dress(clq_crowd *crowd, clq_actor actor) const
+{
+    if (map) scenes::check(clq_crowd_randomise_colours(crowd, map.get(), colour_class, &actor, 1));
+}
+
+Worn worn_by(scenes::Library &library, const clq_template *tmpl, const std::string &file, const std::string &named)
+{
+    Worn worn;
+    if (file.empty()) return worn;
+    worn.map = scenes::read_colours(library, text_of(file), file);
+    const std::string name = info_of(tmpl).name;
+    worn.colour_class = scenes::class_for(worn.map.get(), named, name.c_str());
+    if (!named.empty() && clq_colour_map_find(worn.map.get(), named.c_str()) == CLQ_NONE)
+        throw scenes::Failure(file + ": has no class '" + named + "'");
+    if (worn.colour_class == CLQ_NONE)
+        throw scenes::Failure(file + ": has no class for the template '" + name + "'; --class NAME selects any");
+    return worn;
 }
 
 }  // namespace cli

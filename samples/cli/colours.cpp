@@ -17,6 +17,7 @@ namespace
 
 struct MapArguments {
     std::string from, scenario, mechanisms, colours, out;
+    FileArguments of_file;
     uint32_t each = 0;
     uint64_t seed = 1;
     int width = 1280, height = 800;
@@ -60,7 +61,7 @@ scenes::ColourMap map_of_scenario(scenes::Library &library, const scenes::Scenar
     Making making;
     std::deque<LoadedCharacter> loaded;
     for (const scenes::SocialClass &one : scenario.characters) {
-        loaded.push_back(load_character(library, one.character));
+        loaded.push_back(load_character(library, one.character, {one.placement}));
         const clq_template *tmpl = loaded.back().tmpl.get();
         const std::vector<clq_hsb_range> ranges = ranges_of(tmpl, one);
         std::vector<clq_zone_colours> &zones = making.add(one.name.c_str(), tmpl);
@@ -75,12 +76,14 @@ scenes::ColourMap map_of_scenario(scenes::Library &library, const scenes::Scenar
 
 bool ends_in_toml(const std::string &name) { return name.size() > 5 && name.compare(name.size() - 5, 5, ".toml") == 0; }
 
-scenes::ColourMap map_from(scenes::Library &library, const std::string &from)
+scenes::ColourMap map_from(scenes::Library &library, const std::string &from, const FileArguments &of_file = {})
 {
+    if (from == "odeon" || from == "roman-classes" || ends_in_toml(from))
+        expect_unplaced(of_file, from + " is no character");
     if (from == "odeon") return map_of_scenario(library, scenes::odeon_scenario());
     if (from == "roman-classes") return scenes::read_colours(library, scenes::roman_classes(), "roman-classes.toml");
     if (ends_in_toml(from)) return scenes::read_colours(library, text_of(from), from);
-    const LoadedCharacter loaded = load_character(library, from);
+    const LoadedCharacter loaded = load_character(library, from, of_file);
     const char *name = info_of(loaded.tmpl.get()).name;
     Making making;
     making.add(*name ? name : "people", loaded.tmpl.get());
@@ -92,7 +95,7 @@ void save(const MapArguments &a)
     if (a.out != "-") expect_writable(a.out);
     scenes::Library library(1);
     const scenes::ColourMap map = a.scenario.empty()
-                                      ? map_from(library, a.from)
+                                      ? map_from(library, a.from, a.of_file)
                                       : map_of_scenario(library, scenes::load_scenario(a.scenario, a.mechanisms));
     std::string text;
     const auto take = [](void *to, const void *bytes, size_t count) {
@@ -146,8 +149,10 @@ void add_colours(CLI::App &app, Work &chosen)
                   "odeon, roman-classes, a map (TOML, written in its normal form), or a character: its own ranges");
     c->add_option("--scenario", a->scenario, "The classes of a scenario (TOML) instead of FROM")->type_name("FILE");
     add_mechanisms_option(*c, a->mechanisms);
+    add_file_options(*c, a->of_file);
     c->add_option("--out,-o", a->out, "TOML file; - is standard output")->required();
     c->callback([a, &chosen] {
+        if (!a->scenario.empty()) expect_unplaced(a->of_file, a->scenario + " has keys of its own for this");
         if (a->from.empty() == a->scenario.empty())
             throw CLI::ValidationError("FROM", "or --scenario is needed, and not both");
         chosen = [a] { save(*a); };

@@ -9,7 +9,7 @@ namespace cli
 Json film_about(const RenderArguments &a, const scenes::SceneOptions &options, const std::string &gl)
 {
     Json scene = scene_about(a.setup, options);
-    scene["colours"] = a.colours.wild ? Json("wild") : file_about(a.colours.file), scene["clips"] = Json::array();
+    scene["clips"] = Json::array();
     for (const std::string &file : a.clips.files) scene["clips"].push_back(file_about(file));
     if (!a.clip.empty()) scene["clip"] = a.clip;
     scene["vary"] = a.clips.vary, scene["fps"] = a.fps, scene["samples"] = a.samples;

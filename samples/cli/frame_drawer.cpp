@@ -14,7 +14,6 @@ namespace cli
 FrameDrawer::FrameDrawer(const RenderArguments &a, int threads, processes::Ranks *ranks)
     : arguments_(a), library_(threads), options_(scene_options(a.setup, loaded_))
 {
-    if (a.colours.wild) library_.wear_wild_colours();
     if (ranks) library_.share_templates(ranks->rank() == 0, [ranks](std::string &bytes) { ranks->broadcast(bytes); });
 }
 
@@ -31,7 +30,7 @@ const Subject &FrameDrawer::subject()
     options_ = scene_options(a.setup, loaded_);
     options_.crowd_options.as_shown = true;
     scene_renderer_.emplace(library_, options_);
-    wardrobe_.emplace(library_, a.colours, options_.crowd_options.seed);
+    wardrobe_.emplace(library_, a.setup.colours, a.reload, options_.crowd_options.seed);
     subject_ = {scene_renderer_->crowd_stats().actor_count, scene_renderer_->context_name()};
     return subject_;
 }

@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/film_frames.h"
 #include "samples/processes/ranks.h"
 #include "samples/processes/tile_borders.h"

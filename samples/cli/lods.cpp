@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/letters.h"
@@ -25,7 +26,7 @@ namespace
 constexpr int column_gap_px = 4, line_px = (letter_height + 4);
 
 struct LodsArguments {
-    std::string file, out;
+    std::string file, out, colours;
     FileArguments of_file;
     std::vector<uint32_t> targets;
     uint32_t proxy_max_triangles = 250;
@@ -67,12 +68,14 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
     const int wide = (a.width - 2 * margin_px + column_gap_px) / columns - column_gap_px, tall = a.height * 3 / 5;
     if (wide < 24) throw scenes::Failure(std::to_string(columns) + " levels do not fit into a picture of this size");
     Portraits portraits(library, loaded, 1);
+    const Worn worn = worn_by(library, loaded.tmpl.get(), a.colours, "");
+    const auto dress = [&](clq_crowd *crowd, clq_actor actor) { worn.dress(crowd, actor); };
     for (int i = 0; i < columns; ++i) {
         const clq_level_report &level = levels[static_cast<size_t>(i)];
         const int x = margin_px + i * (wide + column_gap_px);
         portraits.show_level(static_cast<uint32_t>(i));
         portraits.resize(wide, tall);
-        board.paste(x, margin_px, wide, tall, portraits.picture(0));
+        board.paste(x, margin_px, wide, tall, portraits.picture(0, dress, 0));
         int y = margin_px + tall + 6;
         board.write(x, y, 2, std::to_string(level.triangle_count), ink);
         y += 2 * line_px;
@@ -85,7 +88,7 @@ void draw(const LodsArguments &a, scenes::Library &library, const LoadedCharacte
         const int small_wide = static_cast<int>(std::lround(portraits.visible_m() * portraits.aspect() * scale));
         if (small_wide < 1 || small_wide > wide || y + line_px + small_tall > a.height - 4) continue;
         portraits.resize(small_wide, small_tall);
-        board.paste(x, y + line_px + 4, small_wide, small_tall, portraits.picture(0));
+        board.paste(x, y + line_px + 4, small_wide, small_tall, portraits.picture(0, dress, 0));
     }
     const std::vector<unsigned char> file = io::png(board.rgb().data(), a.width, a.height,
                                                     {{"Software", "claque " + version()},
@@ -118,6 +121,7 @@ void compare(const LodsArguments &a, scenes::Library &library)
 void show(const LodsArguments &a)
 {
     if (!a.out.empty()) expect_writable(a.out);
+    if (!a.colours.empty()) expect_readable(a.colours, io::most_text_bytes);  // early, as levels take time
     scenes::Library library(core_count());
     if (is_prepared(a.file))
         throw scenes::Failure(a.file + " is prepared already; levels are made earlier, from its source");
@@ -151,6 +155,9 @@ void add_lods(CLI::App &app, Work &chosen)
         ->check(CLI::Range(0.01, 100.0))
         ->capture_default_str();
     add_file_options(*c, a->of_file);
+    add_colours_option(*c, a->colours, a->of_file.placement,
+                       "Colours in the picture (TOML, see `claque colours`) instead of the template's own")
+        ->needs("--picture");
     c->add_flag("--compare", a->compare, "Compare with levels made by OpenMesh's quadric alone: errors, zones, cracks")
         ->excludes("--picture");
     c->add_flag("--json", a->json, "Print JSON");

@@ -15,7 +15,6 @@ namespace
 struct PrepareArguments {
     std::string file, out, lod = "off";
     uint32_t texture_px = 0;
-    std::string colours;  // wild, or empty
     FileArguments of_file;
     ClipArguments clips;
     ZoneArguments zones;
@@ -25,7 +24,6 @@ void prepare(const PrepareArguments &a)
 {
     expect_writable(a.out);
     scenes::Library library(core_count());
-    if (!a.colours.empty()) library.wear_wild_colours();
     if (is_prepared(a.file)) throw scenes::Failure(a.file + " is prepared already");
     const scenes::Own<clq_asset> asset = load_asset(library, a.file, a.of_file, a.clips);
     const ZoneMap zones = give_zones(library, asset.get(), a.zones);
@@ -53,7 +51,9 @@ void add_prepare(CLI::App &app, Work &chosen)
     add_file_options(*c, a->of_file);
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
-    c->add_option("--colours", a->colours, "wild: individuals wear most hues, not colours near the file's")
+    c->add_option_function<std::string>(
+         "--colours", [a](const std::string &) { a->of_file.placement.wild_colours = true; },
+         "wild: individuals wear most hues, not colours near the file's")
         ->check(CLI::IsMember({"wild"}));
     c->add_option("--lod", a->lod,
                   "Make levels of detail (on; without added clips they come from the cache folder the next time), or "

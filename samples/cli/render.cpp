@@ -37,7 +37,8 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options, const 
     report["camera"] = camera_of(a, options);
     if (!a.setup.path.empty()) report["path"] = a.setup.path;
     if (!a.setup.scenario.empty()) report["scenario"] = a.setup.scenario;
-    if (!a.colours.file.empty() || a.colours.wild) report["colours"] = a.colours.wild ? "wild" : a.colours.file;
+    const bool wild = a.setup.of_file.placement.wild_colours;
+    if (wild || !a.setup.colours.empty()) report["colours"] = wild ? "wild" : a.setup.colours;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
     report["threads"] = threads_each(a.setup, a.processes, ranks);

@@ -4,6 +4,7 @@
 #include <set>
 #include <unistd.h>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/command.h"
 #include "samples/cli/provenance.h"
 #include "samples/cli/render_work.h"
@@ -38,7 +39,7 @@ void check_picture_usage(RenderArguments &a)
     if (process_count(a.processes) > 1 && a.setup.close_mib > 0 &&
         (a.divide == "tiles" || (a.divide.empty() && a.frames.empty())))
         throw CLI::ValidationError("--close-textures", "is for whole pictures; --divide frames goes with it");
-    if (process_count(a.processes) > 1 && a.colours.reload)
+    if (process_count(a.processes) > 1 && a.reload)
         throw CLI::ValidationError("--reload", "needs one process: several would not see a change at the same time");
     if ((!a.clips.files.empty() || a.clips.vary > 0) && a.setup.file.empty())
         throw CLI::ValidationError("--clips", "and --vary need a FILE, the character that gets the clips");
@@ -72,7 +73,7 @@ void check_picture_usage(RenderArguments &a)
 void add_picture_options(CLI::App &c, const std::shared_ptr<RenderArguments> &a)
 {
     add_scene_options(c, a->setup);
-    add_colour_options(c, a->colours);
+    add_reload_option(c, a->reload);
     c.add_option("--strategy", a->setup.strategy,
                  "Draw strategy: how individuals get their colours; all give the same picture")
         ->check(CLI::IsMember(strategy_names()))

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "samples/cli/clip_arguments.h"
-#include "samples/cli/colour_arguments.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/sequence.h"
 
@@ -13,7 +12,7 @@ namespace cli
 
 struct RenderArguments {
     SceneArguments setup;
-    ColourArguments colours;
+    bool reload = false;  // of the file of colours
     ClipArguments clips;  // for the scene's FILE
     std::string clip;     // of FILE, which alone is shown; empty: all in turn
     double time_s = 2.0, fps = 25.0;

@@ -2,6 +2,7 @@
 
 #include <thread>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/files.h"
 #include "samples/processes/machine_share.h"
 
@@ -11,6 +12,8 @@ void add_scene_options(CLI::App &command, SceneArguments &a)
 {
     add_size_option(command, a.width, a.height);
     add_mechanisms_option(command, a.mechanisms);
+    add_colours_option(command, a.colours, a.of_file.placement,
+                       "Colours of people by class and zone (TOML, see `claque colours`) instead of the scene's own");
     command
         .add_option("--camera", a.camera,
                     "View of the scene: overview, close, path, a place of the amphitheatre (at:above, at:emperor, "
@@ -172,6 +175,7 @@ scenes::SceneOptions scene_options(const SceneArguments &a, const LoadedCharacte
     options.multisample = a.multisample;
     options.close_texture_bytes = uint64_t(a.close_mib) << 20;
     options.close_distance_m = static_cast<float>(a.close_distance_m);
+    wear_colours(options, a.colours);
     return options;
 }
 

@@ -24,6 +24,7 @@ struct SceneArguments {
     std::string file, scene;  // one or neither
     FileArguments of_file;
     std::string path, scenario;                         // files
+    std::string colours;                                // likewise; empty: the scene's own
     std::string mechanisms;                             // the folder of --allow-mechanisms; empty: not given
     std::shared_ptr<const scenes::Scenario> described;  // the scenario, once it is read
     // People on tracks in place of the scenes above (track_arguments.h).

@@ -19,7 +19,7 @@ constexpr uint8_t gap_grey = 24;
 
 struct SheetArguments {
     SceneArguments setup;
-    ColourArguments colours;
+    bool reload = false;
     std::string out, json;
 };
 
@@ -70,13 +70,12 @@ void draw_sheet(const SheetArguments &a)
     if (!a.json.empty()) expect_writable(a.json);
     progress.phase("preparing");
     scenes::Library library(thread_count(a.setup));
-    if (a.colours.wild) library.wear_wild_colours();
     const LoadedCharacter none;
     const scenes::SceneOptions options = scene_options(a.setup, none);
     const std::vector<scenes::PathSection> &sections = options.path->sections();
     if (sections.empty()) throw scenes::Failure(a.setup.path + ": the camera path has no sections to show");
     scenes::SceneRenderer scene_renderer(library, options);
-    SceneColours wardrobe(library, a.colours, options.crowd_options.seed);
+    SceneColours wardrobe(library, a.setup.colours, a.reload, options.crowd_options.seed);
     Sheet sheet(sections.size(), options.width, options.height);
     Json report = {{"claque", version()},
                    {"scene", options.scene},
@@ -119,7 +118,7 @@ void add_sheet(CLI::App &app, Work &chosen)
     a->setup.width = 640;
     a->setup.height = 480;
     add_scene_options(*c, a->setup);
-    add_colour_options(*c, a->colours);
+    add_reload_option(*c, a->reload);
     c->add_option("--out,-o", a->out, "PNG file; - streams raw RGB, rows from the top")->required();
     c->add_option("--json", a->json, "Write what each tile shows as JSON; - is standard output");
     c->callback([a, &chosen] {

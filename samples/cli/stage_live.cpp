@@ -26,7 +26,11 @@ public:
     Watch(scenes::Library &library, const StageArguments &a)
         : library_(library),
           arguments_(a),
-          takeover_(library, options_of(a), a.setup.scenario, *a.setup.described, stage_options(a))
+          takeover_(library, options_of(a), a.setup.scenario, *a.setup.described, stage_options(a),
+                    [setup = a.setup]() mutable {  // with what the command says of its characters
+                        read_scenario(setup);
+                        return *setup.described;
+                    })
     {
     }
 

@@ -1,5 +1,6 @@
 #include <optional>
 
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/files.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/run_record.h"
@@ -156,6 +157,7 @@ void OpenRun::open(scenes::Library &library, const StageArguments &a, std::uniqu
         scene = made.get();
         return std::unique_ptr<scenes::Scene>(std::move(made));
     };
+    wear_colours(options, a.setup.colours.empty() ? a.setup.described->colours : a.setup.colours);
     if (a.frames.empty() && !a.draw) {
         own = options.make(library, options.crowd_options);
         return;

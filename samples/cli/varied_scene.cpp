@@ -2,13 +2,13 @@
 #include <algorithm>
 
 #include "lib/base/near_names.h"
+#include "samples/cli/colour_arguments.h"
 #include "samples/cli/label_scene.h"
 #include "samples/labels/variation/haze.h"
 #include "samples/labels/variation/jpeg.h"
 #include "samples/labels/variation/noise.h"
 #include "samples/labels/variation/standpoint.h"
 #include "samples/scenes/amphitheatre/sun.h"
-#include "samples/scenes/colours.h"
 
 namespace cli
 {
@@ -103,6 +103,8 @@ void VariedScene::check_rules() const
                       ": this build cannot compress pictures: stb_image_write.h was not there");
     if (rules_.camera && (!arguments_.camera.empty() || !arguments_.path.empty()))
         throw Failure(rules_.places.at("camera") + ": a rule chooses the camera; leave out --camera and --path");
+    if (!rules_.colours.empty() && !arguments_.colours.empty())
+        throw Failure(rules_.places.at("people.colours") + ": a rule chooses the colours; leave out --colours");
 }
 
 scenes::Daylight VariedScene::light_for(const Choice &choice, scenes::Daylight light) const
@@ -138,18 +140,11 @@ scenes::SceneOptions VariedScene::options_for(const Choice &choice) const
         SceneArguments with = arguments_;
         with.described = std::make_shared<const scenes::Scenario>(std::move(shown));
         options.make = maker_of(with);
+        wear_colours(options, arguments_.colours);
     } else if (lit) {
         options.crowd_options.light = light_for(choice, scenes::Daylight());
     }
-    if (!choice.colours.empty())
-        options.make = [file = choice.colours, make = options.make, name = options.scene,
-                        character = options.character](scenes::Library &library,
-                                                       const scenes::CrowdOptions &crowd_options) {
-            std::unique_ptr<scenes::Scene> scene =
-                make ? make(library, crowd_options) : scenes::make_scene(name, library, crowd_options, character);
-            scenes::ColourFile(library, file).apply(*scene, crowd_options.seed);
-            return scene;
-        };
+    wear_colours(options, choice.colours);
     return options;
 }
 

@@ -12,7 +12,6 @@
 #include "samples/cli/portraits.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/io/png.h"
-#include "samples/scenes/colours.h"
 
 namespace cli
 {
@@ -23,7 +22,6 @@ constexpr int person_gap_px = 2;
 
 struct VarietyArguments {
     std::string file, out, colours, colour_class;
-    bool wild = false;
     FileArguments of_file;
     uint32_t count = 12, texture = 0, set = 0;
     uint64_t seed = 1;
@@ -151,27 +149,6 @@ Grid grid_for(uint32_t count, const Box &box, double aspect)
     return best;
 }
 
-// The result of --colours and --class.
-struct Worn {
-    scenes::ColourMap map;  // none: the template's own ranges
-    uint32_t colour_class = CLQ_NONE;
-};
-Worn worn_by(scenes::Library &library, const clq_template *tmpl, const VarietyArguments &a)
-{
-    Worn worn;
-    if (a.wild && !a.colour_class.empty())
-        throw scenes::Failure("--class " + a.colour_class + " needs a map of colours: --colours wild has no classes");
-    if (a.colours.empty()) return worn;
-    worn.map = scenes::read_colours(library, text_of(a.colours), a.colours);
-    const std::string name = info_of(tmpl).name;
-    worn.colour_class = scenes::class_for(worn.map.get(), a.colour_class, name.c_str());
-    if (!a.colour_class.empty() && clq_colour_map_find(worn.map.get(), a.colour_class.c_str()) == CLQ_NONE)
-        throw scenes::Failure(a.colours + ": has no class '" + a.colour_class + "'");
-    if (worn.colour_class == CLQ_NONE)
-        throw scenes::Failure(a.colours + ": has no class for the template '" + name + "'; --class NAME selects any");
-    return worn;
-}
-
 void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &box, const Worn &worn)
 {
     const Grid grid = grid_for(count, box, portraits.aspect());
@@ -179,9 +156,7 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
         throw scenes::Failure(std::to_string(count) + " people do not fit into a picture of " +
                               std::to_string(board.width()) + " x " + std::to_string(board.height()));
     portraits.resize(grid.width, grid.height);
-    const auto dress = [&](clq_crowd *crowd, clq_actor actor) {
-        if (worn.map) scenes::check(clq_crowd_randomise_colours(crowd, worn.map.get(), worn.colour_class, &actor, 1));
-    };
+    const auto dress = [&](clq_crowd *crowd, clq_actor actor) { worn.dress(crowd, actor); };
     for (uint32_t person = 0; person < count; ++person) {
         const int column = static_cast<int>(person) % grid.columns, row = static_cast<int>(person) / grid.columns;
         board.paste(box.x + column * (grid.width + person_gap_px), box.y + row * (grid.height + person_gap_px),
@@ -192,11 +167,12 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
 void draw_variety(const VarietyArguments &a)
 {
     expect_writable(a.out);
+    if (a.of_file.placement.wild_colours && !a.colour_class.empty())
+        throw scenes::Failure("--class " + a.colour_class + " needs a map of colours: --colours wild has no classes");
     scenes::Library library(core_count());
-    if (a.wild) library.wear_wild_colours();
     const LoadedCharacter loaded = load_character(library, a.file, a.of_file);
     const clq_template *tmpl = loaded.tmpl.get();
-    const Worn worn = worn_by(library, tmpl, a);
+    const Worn worn = worn_by(library, tmpl, a.colours, a.colour_class);
     const VarietySheet sheet = sheet_of(tmpl, a.set, a.texture, a.file);
     Board board(a.width, a.height, paper);
     const int side = std::min(a.width * 3 / 10, (a.height - 4 * margin_px) * 2 / 5);
@@ -237,7 +213,7 @@ void add_variety(CLI::App &app, Work &chosen)
     c->add_option("--seed", a->seed, "Seed of the random colours")->capture_default_str();
     add_size_option(*c, a->width, a->height);
     CLI::Option *colours =
-        add_colours_option(*c, a->colours, a->wild, "Map of colours (TOML) instead of the template's own");
+        add_colours_option(*c, a->colours, a->of_file.placement, "Map of colours (TOML) instead of the template's own");
     c->add_option("--class", a->colour_class, "Colour class of the map (default: the one for this template)")
         ->needs(colours);
     c->add_option("--texture", a->texture, "Index of the texture to show")->capture_default_str();

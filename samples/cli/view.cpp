@@ -128,7 +128,7 @@ void add_view_options(CLI::App &c, const std::shared_ptr<ViewArguments> &a)
     c.add_option("--rates", a->rates, "What the frames of a measured script cost, as JSON")
         ->type_name("FILE")
         ->needs("--script");
-    add_colours_option(c, a->what.colours, a->what.wild_colours,
+    add_colours_option(c, a->what.colours, a->what.setup.of_file.placement,
                        "Colour map to wear and to design (TOML, docs/colours.md)");
     c.add_option("--shots", a->folder,
                  "Folder of saved pictures, films, camera paths and colour maps (default: the current one)")

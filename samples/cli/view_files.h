@@ -13,7 +13,6 @@ struct ViewWhat {
     std::vector<std::string> textures;  // images that replace the character's own, the last one first
     ClipArguments clips;                // that the character has besides its own
     std::string colours;                // a colour map to wear and to design; empty: the scene's own colours
-    bool wild_colours = false;          // of characters from files
 };
 
 // Whether a file is a character; others are trajectories or a record.

@@ -119,7 +119,6 @@ bool lines_up(const ViewWhat &what)
 view::Opened open_view(const ViewWhat &what, scenes::Library &library)
 {
     view::Opened opened;
-    if (what.wild_colours) library.wear_wild_colours();
     const auto kept = std::make_shared<Kept>();
     SceneArguments setup = what.setup;
     if (!what.tracks.file.empty()) {

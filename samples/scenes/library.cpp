@@ -82,13 +82,6 @@ Library::Library(int threads) : tasks_(threads)
 
 void Library::hear_warnings(void (*hear)(const std::string &)) { heard_by = hear; }
 
-clq_asset_options Library::asset_options() const
-{
-    clq_asset_options options = clq_asset_options_init();
-    options.wild_colours = wild_colours_;
-    return options;
-}
-
 clq_template *Library::own(const std::string &name, const std::function<Own<clq_template>()> &make)
 {
     Own<clq_template> &found = templates_[name];

@@ -30,9 +30,6 @@ public:
     explicit Library(int threads);
 
     clq_context *context() const { return context_.get(); }
-    // How characters are read from files: with wild colours, if these were asked for.
-    void wear_wild_colours() { wild_colours_ = true; }
-    clq_asset_options asset_options() const;
     // A built-in character, made at the first request or read from the user's cache folder (claque/prepare.h). It lives
     // as long as the library. Call it from one thread at a time.
     clq_template *builtin(const std::string &name);
@@ -63,7 +60,7 @@ private:
     TbbTasks tasks_;
     Own<clq_context> context_;
     std::map<std::string, Own<clq_template>> templates_;
-    bool makes_ = true, wild_colours_ = false;
+    bool makes_ = true;
     Exchange exchange_;  // or none
 };
 

@@ -1,5 +1,5 @@
-// How the file of a character is placed, what becomes of its blending, which nodes it leaves out, and which of them
-// walk (docs/characters.md, "Facing and size", "Materials and light").
+// How the file of a character is placed, what becomes of its blending and its colours, which nodes it leaves out, and
+// which of them walk (docs/characters.md, "Facing and size", "Materials and light", "Colours").
 #pragma once
 
 #include <claque/assets.h>
@@ -12,7 +12,8 @@ namespace scenes
 
 struct Placement {
     double turn_deg = 0, height_m = 0, scale = 0;  // as in clq_asset_options
-    clq_blend blend = CLQ_BLEND_UNSET;
+    clq_blend blend = CLQ_BLEND_UNSET;             // likewise
+    bool wild_colours = false;                     // likewise; it means nothing to other characters
     std::vector<std::string> hidden = {};          // nodes
 
     bool has_size() const { return height_m != 0 || scale != 0; }
@@ -22,7 +23,7 @@ struct Placement {
     void give(clq_asset_options &options, std::vector<const char *> &names) const
     {
         options.turn_deg = turn_deg, options.height_m = height_m, options.scale = scale;
-        options.blend = blend;
+        options.blend = blend, options.wild_colours = wild_colours;
         for (const std::string &name : hidden) names.push_back(name.c_str());
         options.hidden_nodes = names.data(), options.hidden_node_count = static_cast<uint32_t>(names.size());
     }

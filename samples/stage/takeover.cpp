@@ -9,12 +9,13 @@ namespace staged
 using namespace scenes;
 
 Takeover::Takeover(Library &library, const CrowdOptions &crowd_options, std::string path, const Scenario &scenario,
-                   const StageOptions &options)
+                   const StageOptions &options, Read read)
     : library_(library),
       crowd_options_(crowd_options),
       path_(std::move(path)),
       known_(scenario),
       options_(options),
+      read_(std::move(read)),
       times_(times_of(scenario))
 {
 }
@@ -40,7 +41,7 @@ void Takeover::look(double shown_s)
     times_ = std::move(now);
     making_ = std::async(std::launch::async, [this, shown_s] {
         auto made = std::make_unique<Made>();
-        made->scenario = load_scenario(path_);
+        made->scenario = read_();
         if (!made->scenario.stage) throw Failure(path_ + ": it has no [stage] any more");
         made->scene = make_staged(library_, crowd_options_, made->scenario, options_);
         made->scene->place(shown_s);

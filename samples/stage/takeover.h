@@ -13,9 +13,10 @@ namespace staged
 class Takeover
 {
 public:
-    // Watches the scenario's file, its machines and its timetable.
+    using Read = std::function<scenes::Scenario()>;
+    // Watches the scenario's file, its machines and its timetable. `read`: reads the file again.
     Takeover(scenes::Library &library, const scenes::CrowdOptions &crowd_options, std::string path,
-             const scenes::Scenario &scenario, const StageOptions &options);
+             const scenes::Scenario &scenario, const StageOptions &options, Read read);
 
     // Looks at the files. If one has changed, a new run is made in a thread of its own.
     void look(double shown_s);
@@ -39,6 +40,7 @@ private:
     std::string path_, refusal_;
     scenes::Scenario known_;
     StageOptions options_;
+    Read read_;
     Times times_;
     std::future<std::unique_ptr<Made>> making_;
 };

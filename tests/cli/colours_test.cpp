@@ -10,7 +10,33 @@ namespace cli_test
 namespace
 {
 
-using Colours = Drawing;
+class Colours : public Drawing
+{
+protected:
+    static std::vector<std::string> bench_of(const std::string &what)
+    {
+        return {"bench", what,         "--count", "9",      "--frames", "1",     "--cache",
+                "full",  "--strategy", "fused",   "--size", "160x120",  "--json"};
+    }
+    std::vector<std::string> capture_of(const std::string &what) const
+    {
+        return {"parity", "capture", what, "--count", "9", "--size", "160x120", "--out", path("captured")};
+    }
+    // The picture that a command draws, or its hash.
+    std::string drawn_by(const std::vector<std::string> &words) const
+    {
+        const Outcome done = claque(words);
+        EXPECT_EQ(done.code, 0) << done.err;
+        for (const char *file : {"drawn.png", "labelled/images/000000.png", "captured/colour.npy"})
+            if (std::filesystem::exists(path(file))) {
+                const std::string picture = file_text(path(file));
+                std::filesystem::remove(path(file));
+                return picture;
+            }
+        const size_t hash = done.out.find("\"picture_hash\"");
+        return hash == std::string::npos ? done.out : done.out.substr(hash, 40);
+    }
+};
 using ColoursUsage = Command;
 
 TEST_F(ColoursUsage, ASavedMapIsSavedAgainByteForByte)
@@ -98,14 +124,26 @@ TEST_F(Colours, OfCharactersFromFilesAreWildWhereThatIsAsked)
     ASSERT_FALSE(written::people().empty());  // writes it
     const std::vector<std::string> render = {"render", person, "--count", "9", "--size", "160x120", "--out", "-"},
                                    variety = {"variety", person, "--count", "4", "--size", "300x160", "--out", "-"},
-                                   prepare = {"prepare", person, "--out", "-"};
-    for (std::vector<std::string> words : {render, variety, prepare}) {
-        const Outcome own = claque(words);
+                                   prepare = {"prepare", person, "--out", "-"},
+                                   lods = {"lods", person, "--size", "640x240", "--picture", path("drawn.png")};
+    for (std::vector<std::string> words : {render, variety, prepare, lods, bench_of(person), capture_of(person)}) {
+        const std::string own = drawn_by(words);
         words.insert(words.end(), {"--colours", "wild"});
-        const Outcome wild = claque(words);
-        EXPECT_EQ(own.code, 0) << own.err;
-        EXPECT_EQ(wild.code, 0) << wild.err;
-        EXPECT_FALSE(own.out == wild.out) << words[0];
+        EXPECT_FALSE(own == drawn_by(words)) << words[0];
+    }
+}
+
+TEST_F(Colours, OfAFileAreWornInEveryCommandThatDrawsPeople)
+{
+    std::ofstream(path("red.toml"))
+        << "[[classes]]\nname = \"reds\"\ntemplate = \"citizen\"\nzones.tunic = { colour = \"#ff0000\" }\n";
+    const std::vector<std::string> lods = {"lods", "citizen", "--size", "640x240", "--picture", path("drawn.png")},
+                                   labels = {"labels",   "plaza", "--count", "40",    "--size",        "160x120",
+                                             "--frames", "0",     "--again", "--out", path("labelled")};
+    for (std::vector<std::string> words : {lods, labels, bench_of("plaza"), capture_of("plaza")}) {
+        const std::string own = drawn_by(words);
+        words.insert(words.end(), {"--colours", path("red.toml")});
+        EXPECT_FALSE(own == drawn_by(words)) << words[0];
     }
 }
 

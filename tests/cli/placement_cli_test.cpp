@@ -136,6 +136,27 @@ TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)
     EXPECT_TRUE(says(scenario("back.glb", "blend = \"add\"\n"), "has the blend 'add': mask or opaque"));
 }
 
+TEST_F(PlacementOptions, PlaceTheCharacterWhoseColoursAreSaved)
+{
+    const auto saved = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> arguments = {"colours", "save", "--out", "-"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return claque(arguments);
+    };
+    const std::string turn = "(--turn 180) turns it";
+    const Outcome back = saved({path("back.glb")}), turned = saved({path("back.glb"), "--turn", "180"});
+    EXPECT_TRUE(says(back, turn)) << back.err;
+    EXPECT_EQ(turned.code, 0) << turned.err;
+    EXPECT_FALSE(says(turned, turn)) << turned.err;
+    EXPECT_EQ(turned.out, back.out);
+    scenario("back.glb", "turn_deg = 180\n");
+    const Outcome described = saved({"--scenario", path("scenario.toml")});
+    EXPECT_EQ(described.code, 0) << described.err;
+    EXPECT_FALSE(says(described, turn)) << described.err;
+    EXPECT_TRUE(says(saved({"odeon", "--turn", "180"}), "odeon is no character; --turn"));
+    EXPECT_TRUE(says(saved({"--scenario", path("scenario.toml"), "--turn", "180"}), "has keys of its own for this"));
+}
+
 TEST_F(PlacementOptions, BlendAsAClassOfAScenarioSaysOrElseAsTheCommandDoes)
 {
     write_visor();

@@ -58,6 +58,27 @@ TEST_F(StageCommand, RecordsTheSameForAnyThreadsAndFlows)
     EXPECT_NE(other["hash"], first["hash"]);
 }
 
+TEST_F(StageCommand, WearsTheColoursOfTheScenarioOrOfTheCommand)
+{
+    for (const auto &[file, colour] : {std::pair("red.toml", "#ff0000"), {"blue.toml", "#0000ff"}})
+        std::ofstream(path(file)) << "[[classes]]\nname = \"citizens\"\nzones.tunic = { colour = \"" << colour
+                                  << "\" }\n";
+    const auto drawn = [&](std::vector<std::string> more) {
+        more.insert(more.end(),
+                    {"--seconds", "2", "--frames", "10:10", "--size", "160x120", "--out", path("f-%d.png")});
+        run(more);
+        return picture_of(path("f-10.png")).rgb;
+    };
+    const auto own = drawn({}), red = drawn({"--colours", path("red.toml")});
+    EXPECT_NE(red, own);
+    const std::string text = file_text(path("hall.toml"));
+    std::ofstream(path("hall.toml")) << "colours = \"red.toml\"\n" << text;
+    EXPECT_EQ(drawn({}), red);
+    const auto blue = drawn({"--colours", path("blue.toml")});
+    EXPECT_NE(blue, red);
+    EXPECT_NE(blue, own);
+}
+
 TEST_F(StageCommand, DrawsWhatPlayThenShows)
 {
     const Json live = run({"--seconds", "20", "--record", path("run.clt"), "--frames", "0:100", "--stride", "50",

@@ -81,14 +81,14 @@ TEST(Scenario, OfTheCornerHasItsTracksClassesGroundAndLight)
     EXPECT_EQ(read.light->sun.r, 0.78f);
     EXPECT_EQ(read.path->keys().size(), 3u);
     EXPECT_EQ(refusal_of(corner()), "read");
-    EXPECT_FALSE(read.wild_colours);
+    EXPECT_FALSE(read.characters[0].placement.wild_colours);
 }
 
 TEST(Scenario, WithWildColoursNamesNoFileOfThem)
 {
     const Scenario read =
         read_scenario("colours = \"wild\"\n" + corner(), scenario_folder + "mine.toml", files_beside(scenario_folder));
-    EXPECT_TRUE(read.wild_colours);
+    for (const SocialClass &one : read.characters) EXPECT_TRUE(one.placement.wild_colours) << one.name;
     EXPECT_EQ(read.colours, "");
 }
 

@@ -52,7 +52,11 @@ TEST_F(TakeoverOfAFile, BringsTheNewRunToTheTimeThatIsShown)
 {
     Library library(1);
     const Scenario first = load_scenario(path());
-    staged::Takeover takeover(library, {}, path(), first, {});
+    staged::Takeover takeover(library, {}, path(), first, {}, [&] {
+        Scenario read = load_scenario(path());
+        read.characters[0].placement.turn_deg = 5;  // as a command may say beside the file
+        return read;
+    });
     takeover.look(14);
     takeover.wait();
     EXPECT_EQ(takeover.take(), nullptr) << "nothing has changed";
@@ -65,6 +69,7 @@ TEST_F(TakeoverOfAFile, BringsTheNewRunToTheTimeThatIsShown)
     EXPECT_EQ(made->scene->run().people().all().size(), 12u);
     EXPECT_EQ(made->scene->run().shown_s(), 14);
     EXPECT_EQ(made->scenario.stage->agents[0].count, 7u);
+    EXPECT_EQ(made->scenario.characters[0].placement.turn_deg, 5);
     // As if the file had been so from the beginning.
     staged::StageOptions options;
     CrowdOptions crowd_options;
@@ -79,7 +84,7 @@ TEST_F(TakeoverOfAFile, BringsTheNewRunToTheTimeThatIsShown)
 TEST_F(TakeoverOfAFile, IsRefusedWithItsErrorAndWaitsForTheNextChange)
 {
     Library library(1);
-    staged::Takeover takeover(library, {}, path(), load_scenario(path()), {});
+    staged::Takeover takeover(library, {}, path(), load_scenario(path()), {}, [&] { return load_scenario(path()); });
     const std::string good = text_;
     put("\"west\", \"east\"]", "\"westt\", \"east\"]");
     write("evacuation.toml", text_, 2);

@@ -53,7 +53,6 @@ void draw_stages_with(MakeScenario make) { maker_of_stages() = make; }
 
 std::unique_ptr<Scene> make_scenario(Library &library, const CrowdOptions &crowd_options, const Scenario &scenario)
 {
-    if (scenario.wild_colours) library.wear_wild_colours();
     std::unique_ptr<Scene> scene = maker_for(scenario)(library, crowd_options, scenario);
     if (!scenario.colours.empty()) colour_people(*scene, library, scenario, crowd_options.seed);
     return scene;

@@ -46,14 +46,15 @@ Scenario read_scenario(const std::string &text, const std::string &where, const 
     Scenario scenario;
     scenario.name = all.text("name");
     if (scenario.name.empty()) all.refuse("has the name \"\"", "name");
-    if (all.has("colours")) {
-        scenario.wild_colours = all.text("colours") == "wild";
-        if (!scenario.wild_colours) scenario.colours = file_of(all, "colours", files);
+    const bool wild = all.has("colours") && all.text("colours") == "wild";
+    if (all.has("colours") && !wild) {
+        scenario.colours = file_of(all, "colours", files);
         scenario.colours_at = all.place("colours");
     }
     for (const ScenarioSection &section : scenario_sections())
         if (all.has(section.key)) section.read(all, files, scenario);
     all.done();
+    for (SocialClass &one : scenario.characters) one.placement.wild_colours = wild;
     expect_people(all, scenario);
     return scenario;
 }

@@ -44,7 +44,6 @@ struct Scenario {
     std::optional<Rgb> paving, around;
     std::string area;                            // a file of the walkable area; empty: a level ground
     std::string colours;                         // a colour map, as a file; empty: each class has its palette
-    bool wild_colours = false;                   // of characters from files
     std::string follow_at, area_at, colours_at;  // in the scenario, for messages
     std::vector<std::string> files;              // all that it names, in their order
 };

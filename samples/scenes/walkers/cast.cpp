@@ -151,7 +151,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
                           "--hide and --clips");
         return library.load_prepared(one.character);
     }
-    clq_asset_options options = library.asset_options();
+    clq_asset_options options = clq_asset_options_init();
     std::vector<const char *> hidden;
     one.placement.give(options, hidden);
     clq_asset *asset = nullptr;
