@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "lib/base/near_names.h"
 #include "samples/cli/characters.h"
 #include "samples/cli/files.h"
 
@@ -66,6 +67,15 @@ void Worn::dress(clq_crowd *crowd, clq_actor actor) const
     if (map) scenes::check(clq_crowd_randomise_colours(crowd, map.get(), colour_class, &actor, 1));
 }
 
+std::vector<std::string> names_of_classes(const clq_colour_map *map)
+{
+    clq_colour_map_def def = clq_colour_map_def_init();
+    scenes::check(clq_colour_map_get_def(map, &def));
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < def.class_count; ++i) names.emplace_back(def.classes[i].name);
+    return names;
+}
+
 Worn worn_by(scenes::Library &library, const clq_template *tmpl, const std::string &file, const std::string &named)
 {
     Worn worn;
@@ -74,7 +84,8 @@ Worn worn_by(scenes::Library &library, const clq_template *tmpl, const std::stri
     const std::string name = info_of(tmpl).name;
     worn.colour_class = scenes::class_for(worn.map.get(), named, name.c_str());
     if (!named.empty() && clq_colour_map_find(worn.map.get(), named.c_str()) == CLQ_NONE)
-        throw scenes::Failure(file + ": has no class '" + named + "'");
+        throw scenes::Failure(file + ": has no class '" + named + "'" +
+                              claque::base::names_near(named, names_of_classes(worn.map.get())));
     if (worn.colour_class == CLQ_NONE)
         throw scenes::Failure(file + ": has no class for the template '" + name + "'; --class NAME selects any");
     return worn;

@@ -25,6 +25,19 @@ std::vector<std::string> names_of_nodes(const clq_template *tmpl)
     return names;
 }
 
+std::vector<std::string> names_of_dofs(const clq_template *tmpl)
+{
+    std::vector<std::string> names;
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    for (uint32_t i = 0; i < info.dof_count; ++i) {
+        clq_dof_info dof = clq_dof_info_init();
+        check(clq_template_get_dof(tmpl, i, &dof));
+        names.emplace_back(dof.name);
+    }
+    return names;
+}
+
 std::string lower_case(std::string name)
 {
     for (char &letter : name)

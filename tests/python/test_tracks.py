@@ -141,5 +141,7 @@ def test_legs_and_head_can_be_named(context):
         assert [leg.foot for leg in named.legs] == [citizen.node("foot_l"), citizen.node("foot_r")]
         assert named.legs[0].toes == claque.abi.NONE and named.torso == claque.abi.NONE
         assert named.head == citizen.node("head")
+        with pytest.raises(KeyError, match="has no node 'haed'; near are head"):
+            claque.Locomotion(citizen, head="haed")
         with pytest.raises(KeyError, match="has no node 'tail'"):
             claque.Locomotion(citizen, head="tail")

@@ -175,7 +175,13 @@ TEST_F(Roles, EyesBlinkAndFacesChange)
     role_.face.expresses = true, role_.face.expression = "raised", role_.face.expression_at_s = 1;
     EXPECT_GT(apart(node("brow", 6), before), 0.002);
     role_.face.expression = "scowl";
-    EXPECT_EQ(refusal(), "owl has no expression 'scowl'");
+    EXPECT_EQ(refusal(), "owl has no expression 'scowl'; there are: at rest, raised, lowered, aslant");
+    role_.face.expression = "raisd";
+    EXPECT_EQ(refusal(), "owl has no expression 'raisd': 'raised' is near");
+    role_.face = {};
+    role_.dofs["browe"] = 0;
+    EXPECT_NE(refusal().find("owl has no degree of freedom 'browe': 'brow'"), std::string::npos) << refusal();
+    role_.dofs.clear();
     role_.face = {};
     EXPECT_EQ(node("brow", 6), before);
     enter("citizen", "stand");

@@ -1,7 +1,7 @@
 """Templates, their meshes and textures (claque/template.h, template_info.h, mesh.h, prepare.h)."""
 
 import difflib
-from ctypes import POINTER, byref, c_float, c_size_t, c_uint8, c_uint16, c_uint32, cast, pointer
+from ctypes import POINTER, byref, c_char_p, c_float, c_size_t, c_uint8, c_uint16, c_uint32, cast, pointer
 
 import numpy
 
@@ -110,17 +110,22 @@ class Template(Owned):
         """The index of a clip. Raises KeyError with the names that are near, or else with all."""
         names = list(self.clips)
         if name not in names:
-            near = difflib.get_close_matches(name, names, 3)
-            told = f"near are {', '.join(near)}" if near else f"it has {', '.join(names)}"
-            raise KeyError(f"{self.name} has no clip {name!r}; {told}")
+            raise self._lacks("clip", name, names)
         return names.index(name)
 
     def node(self, name):
-        """The index of a node. Raises KeyError if there is none of this name."""
+        """The index of a node. Raises KeyError with the names that are near, or else with all."""
         found = abi.library().function("clq_template_find_node", c_uint32)(self.handle, name.encode())
         if found == abi.NONE:
-            raise KeyError(f"{self.name} has no node {name!r}")
+            name_of = abi.library().function("clq_template_get_node_name", c_char_p)
+            raise self._lacks("node", name, [name_of(self.handle, i).decode(errors="replace")
+                                             for i in range(self.info.node_count)])
         return found
+
+    def _lacks(self, kind, name, names):
+        near = difflib.get_close_matches(name, names, 3)
+        told = f"near are {', '.join(near)}" if near else f"it has {', '.join(names)}"
+        return KeyError(f"{self.name} has no {kind} {name!r}; {told}")
 
     def mesh(self, level=0):
         """The bind pose of a level: a dict of positions, normals (n, 3) and uvs (n, 2), which are views of the

@@ -1,5 +1,6 @@
 #include "samples/scenes/roles/kit.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/base/near_names.h"
@@ -118,10 +119,12 @@ clq_mechanism Kit::expression()
 uint32_t Kit::expression_named(const std::string &name) const
 {
     if (name.empty()) return CLQ_NONE;
-    if (name == "at rest") return 0;
-    for (size_t i = 0; i < faces_.expressions.size(); ++i)
-        if (faces_.expressions[i].name == name) return static_cast<uint32_t>(i + 1);
-    throw Failure(name_of(tmpl_) + " has no expression '" + name + "'");
+    std::vector<std::string> names = {"at rest"};
+    for (const Expression &one : faces_.expressions) names.push_back(one.name);
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found == names.end())
+        throw Failure(name_of(tmpl_) + " has no expression '" + name + "'" + claque::base::names_near(name, names));
+    return static_cast<uint32_t>(found - names.begin());
 }
 
 clq_mechanism Kit::phrase(const std::string &text)

@@ -3,6 +3,9 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/near_names.h"
+#include "samples/scenes/template_names.h"
+
 namespace scenes::roles
 {
 namespace
@@ -141,7 +144,9 @@ void Performer::hold(const std::map<std::string, float> &dofs)
     std::vector<float> values(info.dof_count, std::numeric_limits<float>::quiet_NaN());
     for (const auto &[name, value] : dofs) {
         const uint32_t dof = clq_template_find_dof(kit_.tmpl(), name.c_str());
-        if (dof == CLQ_NONE) throw Failure(std::string(info.name) + " has no degree of freedom '" + name + "'");
+        if (dof == CLQ_NONE)
+            throw Failure(std::string(info.name) + " has no degree of freedom '" + name + "'" +
+                          claque::base::names_near(name, names_of_dofs(kit_.tmpl())));
         values[dof] = value;
     }
     attach(kit_.hand(), hand_last);
