@@ -10,7 +10,7 @@ from .files import read_file
 from .memory import borrowed
 from .owner import Owned, made
 
-BLENDS = "mask", "opaque"  # by number of clq_blend
+BLENDS = None, "opaque", "mask"  # by number of clq_blend
 
 
 class ZoneMap:
@@ -44,12 +44,13 @@ class Template(Owned):
 
     @classmethod
     def load(cls, context, path, levels=False, folder="", zone_maps=(), turn_deg=0, height_m=0, scale=0,
-             blend="mask", wild_colours=False):
+             blend=None, wild_colours=False):
         """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor;
-        `blend`: materials that blend are drawn where their alpha is 0.5 and more ("mask"), or all of them ("opaque")
-        (clq_asset_options). `wild_colours`: individuals wear most hues, not colours near the file's."""
+        `blend`: materials that blend are drawn where their alpha is 0.5 and more ("mask"; None: and a warning names
+        them), or all of them ("opaque") (clq_asset_options). `wild_colours`: individuals wear most hues, not colours
+        near the file's."""
         if blend not in BLENDS:
-            raise ValueError(f"blend is {blend!r}: {' or '.join(BLENDS)}")
+            raise ValueError(f"blend is {blend!r}: None, 'opaque' or 'mask' is wanted")
         options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, blend=BLENDS.index(blend),
                                    wild_colours=wild_colours)
         return cls._prepare(context, levels, folder, zone_maps, path=str(path).encode(),
