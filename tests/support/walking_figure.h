@@ -24,6 +24,7 @@ struct FigureTraits {
     float turns_deg = 0;           // in its clips
     float size = 1;
     bool arms = false;
+    float alpha = 1;                                   // below 1 it blends
     const char *before_clips = "", *after_clips = "";  // of the names of its clips
 };
 
@@ -32,7 +33,8 @@ class WalkingFigure
 public:
     explicit WalkingFigure(const FigureTraits &traits) : traits_(traits)
     {
-        material_ = add_material(maker_, "cloth", -1, {0.5f, 0.4f, 0.3f, 1});
+        material_ = add_material(maker_, "cloth", -1, {0.5f, 0.4f, 0.3f, traits.alpha});
+        if (traits.alpha < 1) maker_.json["materials"][static_cast<size_t>(material_)]["alphaMode"] = "BLEND";
         const int hips = bone("Hips", {0, 0.87f, 0}, {0, 0.1f, 0}, {0.15f, 0.12f, 0.1f});
         const int head = bone("Head", {0, 0.6f, 0}, {0, 0.12f, 0.02f}, {0.09f, 0.12f, 0.1f});
         children(hips, {head});

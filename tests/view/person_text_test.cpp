@@ -18,6 +18,6 @@ TEST(SavedPeople, KeepHowTheirFileIsPlacedAndBlended)
     EXPECT_EQ(placed.turn_deg, 90);
     EXPECT_EQ(placed.scale, 2);
     EXPECT_EQ(placed.blend, CLQ_BLEND_OPAQUE);
-    person.placement.blend.reset();
+    person.placement.blend = CLQ_BLEND_UNSET;
     EXPECT_EQ(scenes::roles::text_of("people", {person}, "").find("blend"), std::string::npos);
 }
