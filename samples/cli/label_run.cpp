@@ -51,6 +51,7 @@ Json Labelling::settings()
                      {"keypoints", file_about(a_.keypoints)},
                      {"write", a_.formats}};
     if (!a_.tracks.file.empty()) settings["tracks"] = tracks_about(a_.tracks);
+    if (a_.setup.make) settings["record"] = file_about(a_.tracks.file);
     if (a_.rules) {
         settings["vary"] = file_about(a_.vary);
         for (const std::string &file : a_.rules->files) settings["vary_files"].push_back(file_about(file));

@@ -7,13 +7,27 @@
 #include "samples/cli/work_share.h"
 #include "samples/io/joined.h"
 #include "samples/labels/formats.h"
+#include "samples/scenes/walkers/replay.h"
 
 namespace cli
 {
 namespace
 {
 
-// WHAT is the name of a scene, a scenario, or a file of trajectories.
+// As `play` shows it.
+void choose_record(const CLI::App &command, LabelArguments &a)
+{
+    refuse_reading_options(command);
+    const scenes::walkers::ReplayOptions replay = {
+        a.tracks.file, walkers_of(a.tracks, a.setup.of_file.placement).characters, followed_by(a.setup.camera)};
+    if (!replay.follow.empty()) a.setup.camera = "overview";
+    if (a.setup.shadows == "painted") a.setup.shadows = "blob";  // who is in it cannot be painted in advance
+    a.setup.make = [replay](scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
+        return scenes::walkers::make_replay(library, crowd_options, replay);
+    };
+}
+
+// WHAT is the name of a scene, a scenario, a file of trajectories, or a record.
 void choose_subject(const CLI::App &command, const std::string &subject, LabelArguments &a)
 {
     namespace fs = std::filesystem;
@@ -26,12 +40,14 @@ void choose_subject(const CLI::App &command, const std::string &subject, LabelAr
         throw CLI::ValidationError(
             "WHAT", fs::is_regular_file(subject)
                         ? subject +
-                              " is a character; labels are of scenes, scenarios (TOML) "
-                              "and files of trajectories"
+                              " is a character; labels are of scenes, scenarios (TOML), "
+                              "files of trajectories and records"
                         : subject + " is no scene, and no file of that name exists; scenes are " + list_of_scenes());
     if (!walks) refuse_track_options(command);
     read_scenario(a.setup);
-    if (walks) a.tracks.file = subject, a.setup.described = scenario_of(a.tracks, a.setup.of_file.placement);
+    if (walks) a.tracks.file = subject;
+    if (walks && scenes::walkers::is_record(subject)) choose_record(command, a);
+    else if (walks) a.setup.described = scenario_of(a.tracks, a.setup.of_file.placement);
     check_scene_usage(a.setup);
 }
 
@@ -45,8 +61,10 @@ void add_labels(CLI::App &app, Work &chosen)
     CLI::App *c = app.add_subcommand(
         "labels", "Pictures with exact labels: what every pixel is, where it moves, and where people's joints are");
     CLI::Option *what =
-        c->add_option("what", *subject, "A scene, a scenario (TOML), or a file of trajectories (docs/trajectories.md)")
-            ->type_name("SCENE|SCENARIO|TRACKS");
+        c->add_option(
+             "what", *subject,
+             "A scene, a scenario (TOML), a file of trajectories (docs/trajectories.md) or a record (docs/records.md)")
+            ->type_name("SCENE|SCENARIO|TRACKS|RECORD");
     c->add_option("--scene", a->setup.scene, "A scene of built-in characters (default plaza)")
         ->check(scene_names())
         ->excludes(what);

@@ -43,12 +43,6 @@ void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
     a.range.last = static_cast<int>((info.max_s - info.min_s) * a.fps);
 }
 
-void expect_trajectories(const CLI::App &command)
-{
-    for (const char *name : {"--columns", "--rate", "--unit", "--up", "--vehicles", "--ground", "--record"})
-        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
-}
-
 std::unique_ptr<scenes::Scene> make_replay(scenes::Library &library, const scenes::CrowdOptions &crowd_options,
                                            const scenes::walkers::ReplayOptions &replay,
                                            [[maybe_unused]] const scenes::Scenario *scenario)
@@ -141,7 +135,7 @@ void add_play(CLI::App &app, Work &chosen)
                                        "frame-%05d.png; --time draws a single one");
         if (whole) a->frames = "0:1";  // the file says how many
         const bool played = scenes::walkers::is_record(tracks->file);
-        if (played) expect_trajectories(*c);
+        if (played) refuse_reading_options(*c);
         take_scenario(a->setup, played);
         // A scene of people that it does not know has no shadows to paint.
         if (played && !is_theatre(a->setup) && a->setup.shadows == "painted") a->setup.shadows = "blob";

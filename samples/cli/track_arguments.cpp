@@ -101,6 +101,15 @@ void refuse_track_options(const CLI::App &command)
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
+void refuse_reading_options(const CLI::App &command, bool takes_rate)
+{
+    for (const char *name : {"--columns", "--unit", "--up", "--vehicles", "--ground", "--record", "--rate"}) {
+        const CLI::Option *option = command.get_option_no_throw(name);
+        if (option && option->count() > 0 && !(takes_rate && std::string(name) == "--rate"))
+            throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
+    }
+}
+
 std::vector<std::string> names_in(const std::string &list)
 {
     std::vector<std::string> names;

@@ -24,6 +24,8 @@ void add_limb_options(CLI::App &command, scenes::WalkingNodes &limbs, scenes::So
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 // Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.
 void refuse_track_options(const CLI::App &command);
+// Throws likewise if one was given that says how positions are read, or where they are shown: the subject is a record.
+void refuse_reading_options(const CLI::App &command, bool takes_rate = false);
 
 // `columns` must live as long as the result.
 std::vector<std::string> names_in(const std::string &list);  // separated by commas

@@ -182,8 +182,7 @@ void check_usage(const CLI::App &command, const Arguments &a)
         if (a.out.empty()) return;
         throw CLI::ValidationError("--out", "writes the positions in a record; FILE is no record");
     }
-    for (const char *name : {"--columns", "--unit", "--up", "--vehicles"})
-        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for files of trajectories; FILE is a record");
+    refuse_reading_options(command, true);
 }
 
 }  // namespace

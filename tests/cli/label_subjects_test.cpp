@@ -1,4 +1,4 @@
-// What claque labels is asked to label: a scene, a scenario or a file of trajectories, by its name alone.
+// What claque labels is asked to label: a scene, a scenario, a file of trajectories or a record, by its name alone.
 #include <algorithm>
 #include <fstream>
 
@@ -67,6 +67,46 @@ TEST_F(LabelSubjects, AreScenariosAndFilesOfTrajectories)
     EXPECT_NE(outcome.err.find("/tracks/columns is \"id,frame,x,y\" there and \"id,frame,y,x\" here"),
               std::string::npos)
         << outcome.err;
+}
+
+// A camera path shows both from one place; the grounds differ.
+TEST_F(LabelSubjects, AreRecordsWithTheBoxesOfTheirPeople)
+{
+    std::ofstream camera(path("camera.toml"));
+    camera << "far_m = 500.0\n[[sections]]\nname = \"all\"\nstart_s = 0.0\nend_s = 100.0\n";
+    for (const char *time_s : {"0.0", "100.0"})
+        camera << "[[keys]]\ntime_s = " << time_s << "\neye = [1.5, 3.0, 7.0]\ntarget = [1.5, 0.8, -1.0]\n"
+               << "fov_deg = 50.0\nnear_m = 0.1\n";
+    camera.close();
+    std::vector<std::string> play = {"play",  path("two.csv"), "--record", path("run.clt"), "--size",
+                                     "32x24", "--frames",      "0:30",     "--fps",         "10",
+                                     "--out", path("p-%d.png")};
+    play.insert(play.end(), reading_.begin(), reading_.end());
+    ASSERT_EQ(claque(play).code, 0);
+    const auto seen = [&](const std::string &folder, const std::string &file, std::vector<std::string> more) {
+        std::vector<std::string> all = {"labels", "--out",    path(folder), file,     "--size",
+                                        "96x72",  "--frames", "10:11",      "--path", path("camera.toml"),
+                                        "--fps",  "10",       "--write",    "mot"};
+        all.insert(all.end(), more.begin(), more.end());
+        return claque(all);
+    };
+    const auto boxes = [&](const std::string &folder, const std::string &file, const std::vector<std::string> &more) {
+        const Outcome outcome = seen(folder, file, more);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return file_text(path(folder + "/mot/gt/gt.txt"));
+    };
+    const std::string of_record = boxes("record", path("run.clt"), {});
+    EXPECT_EQ(std::count(of_record.begin(), of_record.end(), '\n'), 4) << of_record;
+    EXPECT_EQ(of_record, boxes("tracks", path("two.csv"), reading_));
+    const Outcome refused = label("columns", {path("run.clt")}, {"--columns", "id,frame,x,y"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("--columns: is for files of trajectories; FILE is a record"), std::string::npos)
+        << refused.err;
+    // A folder has the labels of one record.
+    std::filesystem::resize_file(path("run.clt"), std::filesystem::file_size(path("run.clt")) / 2);
+    const Outcome other = seen("record", path("run.clt"), {});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("/record/sha256"), std::string::npos) << other.err;
 }
 
 TEST_F(LabelSubjects, ThatAreNothingAreNamed)

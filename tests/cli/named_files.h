@@ -90,6 +90,7 @@ constexpr Named all_named[] = {
     {"frames check", "$folders/@", "DIR"},
     {"labels", "@.toml --out $x", "what"},
     {"labels", "@.csv --out $x", "what"},
+    {"labels", "@.clt --out $x", "what"},
     {"labels", "--out $x --scenario @.toml", ""},
     {"labels", "--out $x --path @.toml", ""},
     {"labels", "$few.csv --columns id,frame,x,y --rate 1 --unit m --out $x --characters @.glb", ""},
