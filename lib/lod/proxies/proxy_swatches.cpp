@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <tuple>
 
 #include "lib/lod/proxies/proxy_image.h"
@@ -32,12 +33,12 @@ struct Swatch {
     }
 };
 
-// [zones] whether a material of the zone has an image, so that its colours are those of many things.
-std::vector<bool> pictured_zones(const model::Model &model)
+// Zones that are whole pictures: a material of theirs has an image, so their colours are those of many things.
+std::set<uint32_t> pictured_zones(const model::Model &model)
 {
-    std::vector<bool> pictured(model.zones.size());
+    std::set<uint32_t> pictured;
     for (const model::Material &material : model.materials)
-        if (material.zone != model::none && material.image != model::none) pictured[material.zone] = true;
+        if (material.image != model::none) pictured.insert(material.zone);
     return pictured;
 }
 
@@ -92,12 +93,12 @@ std::vector<model::Image> bake_swatches(const ProxySource &source, const std::ve
 {
     std::map<Swatch, ColourSums> colours;
     std::vector<std::vector<Swatch>> swatches;
-    const std::vector<bool> pictured = pictured_zones(source.model);
+    const std::set<uint32_t> pictured = pictured_zones(source.model);
     for (const SwatchZones &one : chosen) {
         const ZoneColours usual = usual_colours(one.colours);
         swatches.emplace_back();
         for (size_t t = 0; t < one.zones.size(); ++t) {
-            const bool one_shade = one.zones.size() <= one_shade_triangles && !pictured[one.zones[t]];
+            const bool one_shade = one.zones.size() <= one_shade_triangles && pictured.count(one.zones[t]) == 0;
             swatches.back().push_back(
                 swatch_of(source, one.colours[t], one.zones[t], usual, one_shade ? 1 : max_shades, colours));
         }
