@@ -68,16 +68,19 @@ Library::Library(int threads) : tasks_(threads)
     def.tasks = tasks_.hook();
     def.log.user = this;
     def.log.write = [](void *user, clq_log_level level, const char *text) {
-        if (level != CLQ_LOG_WARNING) return;
-        Library *self = static_cast<Library *>(user);
-        if (heard_by) heard_by(text);
-        const std::lock_guard<std::mutex> lock(self->mutex_);
-        std::vector<std::string> &all = self->warnings_;
-        if (all.size() < most_warnings && std::find(all.begin(), all.end(), text) == all.end()) all.emplace_back(text);
+        if (level == CLQ_LOG_WARNING) static_cast<Library *>(user)->warn(text);
     };
     clq_context *made = nullptr;
     check(clq_context_create(&def, &made));
     context_.reset(made);
+}
+
+void Library::warn(const std::string &text)
+{
+    if (heard_by) heard_by(text);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (warnings_.size() < most_warnings && std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
+        warnings_.push_back(text);
 }
 
 void Library::hear_warnings(void (*hear)(const std::string &)) { heard_by = hear; }

@@ -46,6 +46,7 @@ public:
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;  // each once
+    void warn(const std::string &text);         // one more, as if the library had logged it
     // `hear` is told the warnings of every library of the process too; NULL: none. To be set before the first is made.
     static void hear_warnings(void (*hear)(const std::string &text));
 

@@ -84,7 +84,8 @@ class Replay final : public Scene
 {
 public:
     Replay(Library &library, const CrowdOptions &crowd_options, const ReplayOptions &options)
-        : file_(library, options.file),
+        : library_(library),
+          file_(library, options.file),
           cast_(library, file_, options.characters),
           plain_(crowd_options.seed, Daylight())
     {
@@ -156,8 +157,11 @@ private:
             for (int k = 0; k < 3; ++k) followed_at_[k] = k == 1 ? plan_.ground : matrix[12 + k];
             return;
         }
+        library_.warn("no actor has the number " + std::to_string(*followed_) +
+                      ", which the camera follows, at some of the times shown: the camera waits");
     }
 
+    Library &library_;
     RecordFile file_;
     RecordCast cast_;
     Own<clq_crowd> crowd_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/base/near_names.h"
 #include "samples/scenes/random.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/walkers/plain.h"
@@ -36,7 +37,7 @@ class Walkers final : public Scene, public SocialClasses
 {
 public:
     Walkers(Library &library, const CrowdOptions &crowd_options, const Options &options)
-        : scene_crowd_(library, crowd_options), plain_(crowd_options.seed, options.light)
+        : library_(library), scene_crowd_(library, crowd_options), plain_(crowd_options.seed, options.light)
     {
         trajectories_ = asked_at(options.places.file, [&] { return load(library, options); });
         plan_ = plan_of(trajectories_.get(), options);
@@ -84,6 +85,7 @@ public:
     void place(double time_s) override
     {
         places_.clear();
+        if (followed_) expect_there(people_->all()[*followed_], time_s);
         for (size_t i = 0; i < walks_.size(); ++i) {
             const Person &person = people_->all()[i];
             if (time_s < person.start_s - around_s || time_s > person.end_s + around_s) continue;
@@ -169,8 +171,22 @@ private:
         const std::vector<Person> &people = people_->all();
         for (size_t i = 0; i < people.size(); ++i)
             if (people[i].id == id) return i;
-        throw Failure("no person has the id " + id + " that the camera is to follow; the first is " +
-                      people.front().id);
+        std::vector<std::string> ids;
+        for (const Person &person : people) ids.push_back(person.id);
+        throw Failure("no person has the id " + id + " that the camera is to follow" +
+                      claque::base::names_near(id, ids));
+    }
+
+    void expect_there(const Person &person, double time_s) const
+    {
+        constexpr double instant_s = 1e-6;
+        if (time_s >= person.start_s - instant_s && time_s <= person.end_s + instant_s) return;
+        char text[160];
+        std::snprintf(text, sizeof text,
+                      ", whom the camera follows, is there from %.6g to %.6g s: at other times it waits where the "
+                      "person comes or goes",
+                      person.start_s, person.end_s);
+        library_.warn("the person " + person.id + text);
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
@@ -191,6 +207,7 @@ private:
                     {p[0] + 1.5 * dx, p[1] + 0.95, p[2] + 1.5 * dz}, 48, aspect, 0.2, 400);
     }
 
+    Library &library_;
     OwnTrajectories trajectories_;
     Plan plan_;
     std::vector<Member> cast_;
