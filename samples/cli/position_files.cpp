@@ -34,6 +34,15 @@ std::string csv_of(const RecordPositions &positions)
     return out;
 }
 
+std::string text_of(const RecordPositions &positions)
+{
+    char rate[64];
+    std::snprintf(rate, sizeof rate, "#framerate: %.15g\n", positions.rate_hz);
+    std::string out = std::string(rate) + "#ID\tframe\tx/m\ty/m\n";
+    for (const RecordPosition &row : positions.rows) add_row(out, row, '\t');
+    return out;
+}
+
 #ifdef CLAQUE_HAS_SQLITE3
 
 class Writer
@@ -157,20 +166,23 @@ std::string check_position_file(const std::string &name)
     return name + " ends in none of .csv, .txt and .sqlite";
 }
 
-std::string position_text(const RecordPositions &positions)
-{
-    char rate[64];
-    std::snprintf(rate, sizeof rate, "#framerate: %.15g\n", positions.rate_hz);
-    std::string out = std::string(rate) + "#ID\tframe\tx/m\ty/m\n";
-    for (const RecordPosition &row : positions.rows) add_row(out, row, '\t');
-    return out;
-}
-
 std::string position_file(const std::string &name, const RecordPositions &positions)
 {
     const std::string ending = io::ending_of(name);
     if (ending == ".csv") return csv_of(positions);
-    return ending == ".txt" ? position_text(positions) : database_of(positions);
+    return ending == ".txt" ? text_of(positions) : database_of(positions);
+}
+
+scenes::walkers::OwnTrajectories trajectories_of(scenes::Library &library, const RecordPositions &positions,
+                                                 const std::string &name, double max_speed_m_s)
+{
+    if (positions.rows.empty()) throw Failure(name + ": nobody is in this record");
+    const std::string text = text_of(positions);
+    clq_trajectories_def def = clq_trajectories_def_init();
+    def.max_speed_m_s = max_speed_m_s;
+    clq_trajectories *made = nullptr;
+    scenes::check(clq_trajectories_load_memory(library.context(), text.data(), text.size(), name.c_str(), &def, &made));
+    return scenes::walkers::OwnTrajectories(made);
 }
 
 }  // namespace cli

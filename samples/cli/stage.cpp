@@ -12,6 +12,8 @@ namespace
 void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
 {
     c.add_option("--record", a->record, "Write the run to this file, which `claque play` shows")->type_name("FILE.clt");
+    add_measure_options(c, a->measures);
+    c.get_option("--measure")->needs(c.get_option("--record"));
     CLI::Option *frames =
         c.add_option("--frames", a->frames, "Draw these frames, first to last; frame k shows k / fps seconds")
             ->type_name("A:B");
@@ -35,6 +37,7 @@ void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
 
 void check_usage(StageArguments &a)
 {
+    check_measures(a.measures);
     read_scenario(a.setup);
     check_scene_usage(a.setup);
     if (!a.setup.described->stage)

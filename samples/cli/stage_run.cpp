@@ -2,6 +2,7 @@
 
 #include "samples/cli/colour_arguments.h"
 #include "samples/cli/files.h"
+#include "samples/cli/position_files.h"
 #include "samples/cli/progress.h"
 #include "samples/cli/run_record.h"
 #include "samples/cli/stage_work.h"
@@ -119,6 +120,18 @@ int show_all(const StageArguments &a, OpenRun &run, int first, Progress &progres
     return shown;
 }
 
+// As `claque tracks` measures the record.
+void measure_record(scenes::Library &library, const StageArguments &a, Progress &progress)
+{
+    constexpr double fastest_m_s = 12;
+    progress.phase("measuring");
+    const auto positions = scenes::walkers::positions_in(library, a.record, {}, a.fps,
+                                                         [&](size_t done, size_t of) { progress.step(done, of); });
+    const auto trajectories = trajectories_of(library, positions, a.record, fastest_m_s);
+    const Measures measures = write_measures(library, a.measures, trajectories.get(), a.setup.scenario);
+    if (a.json != "-") std::fputs(told(measures).c_str(), stdout);
+}
+
 }  // namespace
 
 void restore_from(const std::string &file, staged::StagedScene &scene)
@@ -214,6 +227,7 @@ void run_stage(const StageArguments &a)
                                    {"passed", door.passed_s.size()},
                                    {"people_per_s_m", staged::flow_of(door.passed_s, door.width_m)}});
     if (a.live) report["live"] = times;
+    if (measures_any(a.measures)) measure_record(library, a, progress);
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +

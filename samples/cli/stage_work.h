@@ -3,6 +3,7 @@
 
 #include <optional>
 
+#include "samples/cli/measure_arguments.h"
 #include "samples/cli/render_work.h"
 #include "samples/cli/scene_arguments.h"
 #include "samples/cli/sequence.h"
@@ -14,6 +15,7 @@ namespace cli
 
 struct StageArguments {
     SceneArguments setup;
+    MeasureArguments measures;  // of the record
     std::string record, frames, out, json, save, restore, commands;
     FrameRange range;
     double seconds = 0, fps = 25;  // 0: as the scenario says

@@ -6,6 +6,7 @@
 
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
+#include "samples/cli/measure_arguments.h"
 #include "samples/cli/plot.h"
 #include "samples/cli/position_files.h"
 #include "samples/cli/progress.h"
@@ -123,11 +124,11 @@ Json json_of(const TracksReport &r)
 struct Arguments {
     TrackArguments tracks;
     scenes::Placement placed;
+    MeasureArguments measures;
     std::string plot, json, out;
     uint64_t seed = 1;
 };
 
-// As if the file of positions had been written and read.
 scenes::walkers::OwnTrajectories load_record(scenes::Library &library, const Arguments &a,
                                              const scenes::walkers::Options &options, Progress &progress)
 {
@@ -136,15 +137,9 @@ scenes::walkers::OwnTrajectories load_record(scenes::Library &library, const Arg
     const scenes::walkers::RecordPositions positions = scenes::walkers::positions_in(
         library, a.tracks.file, options.characters, a.tracks.rate_hz > 0 ? a.tracks.rate_hz : usual_rate_hz,
         [&](size_t done, size_t of) { progress.step(done, of); });
-    if (positions.rows.empty()) throw scenes::Failure(a.tracks.file + ": nobody is in this record");
+    auto trajectories = trajectories_of(library, positions, a.tracks.file, a.tracks.max_speed_m_s);
     if (!a.out.empty()) write_whole(a.out, position_file(a.out, positions));
-    const std::string text = position_text(positions);
-    clq_trajectories_def def = clq_trajectories_def_init();
-    def.max_speed_m_s = a.tracks.max_speed_m_s;
-    clq_trajectories *made = nullptr;
-    check(
-        clq_trajectories_load_memory(library.context(), text.data(), text.size(), a.tracks.file.c_str(), &def, &made));
-    return scenes::walkers::OwnTrajectories(made);
+    return trajectories;
 }
 
 void run(const Arguments &a)
@@ -153,6 +148,7 @@ void run(const Arguments &a)
     if (!a.plot.empty()) expect_writable(a.plot);
     if (!a.json.empty()) expect_writable(a.json);
     if (!a.out.empty()) expect_writable(a.out);
+    check_measures(a.measures);
     scenes::Library library(1);
     const scenes::walkers::Options options = walkers_of(a.tracks, a.placed);
     Tracks tracks;
@@ -171,9 +167,12 @@ void run(const Arguments &a)
     scenes::walkers::People people(library, tracks.trajectories.get(), tracks.plan, cast, a.seed);
     tracks.people = people.take([&](size_t done, size_t of) { progress.step(done, of); });
     const TracksReport report = report_of(tracks, a.tracks.file);
+    std::string measured;
+    if (measures_any(a.measures))
+        measured = told(write_measures(library, a.measures, tracks.trajectories.get(), a.tracks.file));
     if (!a.plot.empty()) write_chart(a.plot, plan_drawing(tracks, report));
     if (!a.json.empty()) write_whole(a.json, json_of(report).dump(2) + "\n");
-    if (a.json != "-" && a.plot != "-") print(report);
+    if (a.json != "-" && a.plot != "-") print(report), std::fputs(measured.c_str(), stdout);
 }
 
 void check_usage(const CLI::App &command, const Arguments &a)
@@ -205,6 +204,7 @@ void add_tracks(CLI::App &app, Work &chosen)
     c->add_option("--seed", a->seed, "Seed of sizes and idle clips")->capture_default_str();
     c->add_option("--plot", a->plot, "Write the plan as SVG or PNG; - is standard output")->check(chart_file);
     c->add_option("--json", a->json, "Write the report as JSON; - is standard output");
+    add_measure_options(*c, a->measures);
     c->add_option("--out,-o", a->out, "Write the positions in a record: id, frame, x, y, metres")
         ->check(CLI::Validator(check_position_file, ""))
         ->type_name("FILE.csv|FILE.txt|FILE.sqlite");

@@ -1,4 +1,5 @@
 // stage: runs of people who decide, their records, pictures, reports and states.
+#include <algorithm>
 #include <fstream>
 
 #include <nlohmann/json.hpp>
@@ -56,6 +57,23 @@ TEST_F(StageCommand, RecordsTheSameForAnyThreadsAndFlows)
     EXPECT_EQ(file_text(path("2.clt")), file_text(path("1.clt")));
     const Json other = run({"--seed", "2"});
     EXPECT_NE(other["hash"], first["hash"]);
+}
+
+// A line across the south door, which everyone passes once.
+TEST_F(StageCommand, MeasuresAsTracksMeasuresItsRecord)
+{
+    const std::vector<std::string> of = {"--line=-1.5,-0.3,1.5,-0.3", "--area=-3,0,3,3", "--measure"};
+    const Json report = run({"--record", path("run.clt"), of[0], of[1], of[2], path("run.csv")});
+    const std::string rows = file_text(path("run.csv"));
+    ASSERT_EQ(claque({"tracks", path("run.clt"), "--rate", "5", of[0], of[1], of[2], path("tracks.csv")}).code, 0);
+    EXPECT_EQ(rows, file_text(path("tracks.csv")));
+    EXPECT_GT(std::count(rows.begin(), rows.end(), '\n'), 100) << "rows as long as somebody is there";
+    const std::string last = rows.substr(rows.rfind(',') + 1);
+    ASSERT_EQ(report["doors"][0]["name"], "south door");
+    EXPECT_EQ(last, report["doors"][0]["passed"].dump() + "\n");
+    EXPECT_GT(report["doors"][0]["passed"], 3);
+    const Outcome alone = claque({"stage", path("hall.toml"), "--measure", path("no.csv")});
+    EXPECT_NE(alone.err.find("--measure requires --record"), std::string::npos) << alone.err;
 }
 
 TEST_F(StageCommand, WearsTheColoursOfTheScenarioOrOfTheCommand)
