@@ -15,7 +15,7 @@ using model::none;
 namespace
 {
 
-// Clips are found by their names where nobody names them.
+// Clips without an option are found by their names.
 constexpr char name_another[] =
     "name another one (--walk of the command, clips of a scenario's class, clq_locomotion_def)";
 

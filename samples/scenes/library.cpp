@@ -68,19 +68,16 @@ Library::Library(int threads) : tasks_(threads)
     def.tasks = tasks_.hook();
     def.log.user = this;
     def.log.write = [](void *user, clq_log_level level, const char *text) {
-        if (level == CLQ_LOG_WARNING) static_cast<Library *>(user)->warn(text);
+        if (level != CLQ_LOG_WARNING) return;
+        Library *self = static_cast<Library *>(user);
+        if (heard_by) heard_by(text);
+        const std::lock_guard<std::mutex> lock(self->mutex_);
+        std::vector<std::string> &all = self->warnings_;
+        if (all.size() < most_warnings && std::find(all.begin(), all.end(), text) == all.end()) all.emplace_back(text);
     };
     clq_context *made = nullptr;
     check(clq_context_create(&def, &made));
     context_.reset(made);
-}
-
-void Library::warn(const std::string &text)
-{
-    if (heard_by) heard_by(text);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (warnings_.size() < most_warnings && std::find(warnings_.begin(), warnings_.end(), text) == warnings_.end())
-        warnings_.push_back(text);
 }
 
 void Library::hear_warnings(void (*hear)(const std::string &)) { heard_by = hear; }
@@ -98,8 +95,14 @@ void Library::share_templates(bool makes, Exchange exchange)
     exchange_ = std::move(exchange);
 }
 
-Own<clq_template> Library::load_prepared(const std::string &path)
+Own<clq_template> Library::load_prepared(const std::string &path, bool wants_wild)
 {
+    if (wants_wild)
+        clq_context_log(
+            context(), CLQ_LOG_WARNING,
+            (path + " keeps its colours, as it is prepared already: claque prepare --colours wild makes it wear "
+                    "most hues")
+                .c_str());
     std::string bytes;
     const std::string wrong = io::read_whole(path, bytes, io::most_file_bytes);
     if (!wrong.empty()) throw Failure(wrong);

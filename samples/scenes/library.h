@@ -41,12 +41,11 @@ public:
     clq_template *looking(const std::string &name, bool levels);
     // A character of the caller's own: `make` is called at the first request of the name.
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
-    // The template in a prepared file.
-    Own<clq_template> load_prepared(const std::string &path);
+    // The template in a prepared file. `wants_wild`: a warning says where its colours are chosen.
+    Own<clq_template> load_prepared(const std::string &path, bool wants_wild = false);
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;  // each once
-    void warn(const std::string &text);         // one more, as if the library had logged it
     // `hear` is told the warnings of every library of the process too; NULL: none. To be set before the first is made.
     static void hear_warnings(void (*hear)(const std::string &text));
 

@@ -8,7 +8,7 @@ namespace scenes
 namespace
 {
 
-// Twins are no fault of a file, but few people want a crowd of them.
+// Twins are no fault of a file, but few crowds are of them.
 void warn_of_likeness(Library &library, const clq_template *tmpl)
 {
     clq_template_info info = clq_template_info_init();
@@ -16,8 +16,8 @@ void warn_of_likeness(Library &library, const clq_template *tmpl)
     if (info.clip_count > 0) return;
     const std::string who = std::string("'") + info.name + "' has no clip", clips = "--clips FILE adds clips";
     const std::string sentence =
-        info.zone_count > 1 ? who + ", so its people stand alike: " + clips
-                            : who + " and one zone, so its people look alike: " + clips +
+        info.zone_count > 1 ? who + ", so its crowd stands alike: " + clips
+                            : who + " and one zone, so its crowd looks alike: " + clips +
                                   ", and --colours wild, or a zone map of its picture (claque prepare --propose N), "
                                   "colours that differ";
     clq_context_log(library.context(), CLQ_LOG_WARNING, sentence.c_str());

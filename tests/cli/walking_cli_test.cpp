@@ -56,7 +56,7 @@ TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
     write("man.glb", man);
     const Outcome found = tracks({"--characters", path("man.glb")});
     EXPECT_EQ(found.code, 0) << found.err;
-    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so people who stop take its rest pose: --idle"));
+    EXPECT_TRUE(says(found, "man.glb has no clip named idle or stand, so it stands in its rest pose: --idle"));
     const Outcome named = tracks({"--characters", path("man.glb"), "--idle", "M_Run_001"});
     EXPECT_EQ(named.code, 0) << named.err;
     EXPECT_FALSE(says(named, "rest pose")) << named.err;

@@ -117,10 +117,22 @@ TEST_F(Warnings, OfClipsAreSaidOnceThoughTheyAreReadTwice)
     EXPECT_EQ(times(done.err, "1 joint of the clips not in the character: wing"), 1u) << done.err;
 }
 
+TEST_F(Warnings, SayThatPreparedFilesKeepTheirColours)
+{
+    const std::string keeps = "person.clq keeps its colours, as it is prepared already: claque prepare --colours wild";
+    ASSERT_EQ(claque({"prepare", file_, "--out", path("person.clq")}).code, 0);
+    const auto rendered = [&](std::vector<std::string> more) {
+        more.insert(more.begin(), {"render", path("person.clq"), "--size", "64x48", "--out", path("a.png")});
+        return claque(more).err;
+    };
+    EXPECT_EQ(times(rendered({"--colours", "wild"}), keeps), 1u);
+    EXPECT_EQ(times(rendered({}), "keeps its colours"), 0u);
+}
+
 TEST_F(Warnings, OfACrowdThatLooksAlikeNameClipsAndZones)
 {
     const std::string alike =
-        "'person' has no clip and one zone, so its people look alike: --clips FILE adds clips, "
+        "'person' has no clip and one zone, so its crowd looks alike: --clips FILE adds clips, "
         "and --colours wild, or a zone map of its picture (claque prepare --propose N)";
     for (const auto &words : {commands_[0], commands_[1]}) EXPECT_EQ(times(claque(words).err, alike), 1u);
     const auto rendered = [&](const std::string &who, const char *count) {

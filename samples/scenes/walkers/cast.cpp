@@ -149,7 +149,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
             throw Failure(one.character +
                           " is prepared already, with claque prepare, which takes --turn, --height, --scale, --blend, "
                           "--hide and --clips");
-        return library.load_prepared(one.character);
+        return library.load_prepared(one.character, one.placement.wild_colours);
     }
     clq_asset_options options = clq_asset_options_init();
     std::vector<const char *> hidden;
@@ -188,7 +188,7 @@ OwnLocomotion locomotion_of(Library &library, const Member &member)
         clq_context_log(
             library.context(), CLQ_LOG_WARNING,
             (member.described.character +
-             " has no clip named idle or stand, so people who stop take its rest pose: --idle NAME where people walk "
+             " has no clip named idle or stand, so it stands in its rest pose: --idle NAME where people walk "
              "on tracks, or idles in the clips of a scenario's class, names one, and --clips FILE of play and prepare "
              "adds one")
                 .c_str());
