@@ -42,8 +42,9 @@ std::optional<std::array<double, 4>> four_numbers(const std::string &text)
 MeasurementLine line_of(const std::string &text)
 {
     const auto n = four_numbers(text);
-    if (!n || ((*n)[0] == (*n)[2] && (*n)[1] == (*n)[3]))
+    if (!n)
         throw CLI::ValidationError("--line", "'" + text + "' is no line: x0,y0,x1,y1 in metres of the file are wanted");
+    if ((*n)[0] == (*n)[2] && (*n)[1] == (*n)[3]) throw CLI::ValidationError("--line", "'" + text + "' has no length");
     return {{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}};
 }
 
@@ -51,6 +52,8 @@ MeasurementLine line_of(const std::string &text)
 std::optional<MeasurementArea> rectangle_of(const std::string &text)
 {
     const auto n = four_numbers(text);
+    if (!n && text.find_first_not_of("0123456789+-.,eE ") == std::string::npos)
+        throw CLI::ValidationError("--area", "'" + text + "' is no rectangle: x0,y0,x1,y1 in metres are wanted");
     if (!n) return {};
     const double a = std::min((*n)[0], (*n)[2]), b = std::min((*n)[1], (*n)[3]), c = std::max((*n)[0], (*n)[2]),
                  d = std::max((*n)[1], (*n)[3]);

@@ -1,10 +1,11 @@
-// Individual speed: the way between the samples a quarter of a second before and after, over its time; one-sided at
-// the ends. Classical density: people in an area over its size. N-t: people who have crossed a line, each at the first
-// step behind it. Flow: one less than the crossings, over the time from the first to the last (Seyfried et al. 2005).
+// Individual speed: distance between the samples a quarter of a second before and after, over the time between them;
+// one-sided at the ends. Classical density: people in an area over its size. N-t: people beyond a line, each from the
+// first step behind it. Flow: crossings less one, over the time from the first to the last (Seyfried et al. 2005).
 #include "samples/cli/measures.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "samples/scenes/check.h"
 
@@ -16,14 +17,14 @@ namespace
 using scenes::check;
 
 constexpr double none = NAN, half_window_s = 0.25, instant_s = 1e-6;
-constexpr size_t most_steps = 10000000;
+constexpr size_t most_steps = 2000000;  // 22 hours of 25 frames a second
 
 // Twice the area of a triangle; positive: counter-clockwise.
 double turn(Point2 a, Point2 b, Point2 c) { return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]); }
 
 Point2 place(const clq_trajectory_sample &sample) { return {sample.x, sample.y}; }
 
-// A step that ends on the line crosses it; one that begins there does not again.
+// The line itself belongs to its right side, so a step onto it and the next one away count once.
 bool crosses(const MeasurementLine &line, Point2 from, Point2 to)
 {
     const double before = turn(line.from, line.to, from), after = turn(line.from, line.to, to);
@@ -37,7 +38,7 @@ class Speeds
 public:
     Speeds(const clq_trajectory_sample *own, uint64_t count) : own_(own), count_(count) {}
 
-    // Of samples in ascending order.
+    // Indices ascend from call to call.
     double at(uint64_t i)
     {
         while (own_[first_].time_s < own_[i].time_s - half_window_s - instant_s) ++first_;
@@ -52,15 +53,22 @@ private:
     uint64_t count_, first_ = 0, last_ = 0;
 };
 
-// Of places in the order of x: a neighbour farther along x than the least distance is no nearer.
+// Sweeps over the places in the order of x, and keeps those within the least distance in the order of y: each place has
+// few neighbours there (Shamos and Hoey 1975).
 double nearest_of(std::vector<Point2> &places)
 {
     if (places.size() < 2) return none;
     std::sort(places.begin(), places.end());
+    std::set<Point2> swept;  // y, x
     double least = HUGE_VAL;
-    for (size_t i = 0; i < places.size(); ++i)
-        for (size_t k = i + 1; k < places.size() && places[k][0] - places[i][0] < least; ++k)
-            least = std::min(least, std::hypot(places[k][0] - places[i][0], places[k][1] - places[i][1]));
+    size_t first = 0;
+    for (const Point2 &place : places) {
+        while (place[0] - places[first][0] > least) swept.erase({places[first][1], places[first][0]}), ++first;
+        for (auto near = swept.lower_bound({place[1] - least, -HUGE_VAL});
+             near != swept.end() && (*near)[0] - place[1] <= least; ++near)
+            least = std::min(least, std::hypot((*near)[1] - place[0], (*near)[0] - place[1]));
+        if (!swept.insert({place[1], place[0]}).second) return 0;
+    }
     return least;
 }
 
@@ -114,7 +122,7 @@ Measures measure(const clq_trajectories *trajectories, std::optional<Measurement
     if (!(info.step_s > 0)) throw scenes::Failure("no person has two samples, so nothing can be measured over time");
     const double count = (info.max_s - info.min_s) / info.step_s;
     if (!(count < double(most_steps)))
-        throw scenes::Failure("the file has more than 10000000 steps, which are too many to measure");
+        throw scenes::Failure("the file has more than 2000000 steps, which are too many to measure");
     Measures out;
     out.line = line, out.area = std::move(area);
     std::vector<Step> steps(size_t(std::lround(count)) + 1);
@@ -164,7 +172,7 @@ std::string csv_of(const Measures &measures)
 charts::LineChart crossings_over_time(const Measures &measures, const std::string &file)
 {
     charts::LineChart chart;
-    chart.title = "People who have crossed the line";
+    chart.title = "Crossings of the line";
     chart.subtitle = file;
     chart.x.title = "time in s", chart.y.title = "people";
     chart.x.from = measures.moments.front().time_s, chart.x.to = measures.moments.back().time_s;

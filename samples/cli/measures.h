@@ -29,22 +29,22 @@ struct MeasurementArea {
 struct Moment {
     double time_s = 0;
     uint32_t people = 0, inside = 0;  // in all, and in the area
-    double speed_m_s = 0;             // mean of those inside; NaN: there are none
-    double nearest_m = 0;             // between two people; NaN: there are fewer
-    uint32_t crossed = 0;             // people who have crossed the line, each once
+    double speed_m_s = 0;             // mean inside; NaN: nobody is there
+    double nearest_m = 0;             // least distance of two people; NaN: there are fewer
+    uint32_t crossed = 0;             // people beyond the line, each counted once
 };
 
 struct Measures {
     std::optional<MeasurementLine> line;
     std::optional<MeasurementArea> area;
-    std::vector<Moment> moments;  // one for each step of the file
-    // Of the crossings; NaN with fewer than two: people a second from the first to the last one.
-    double first_s = 0, last_s = 0, flow_per_s = 0;
-    double nearest_m = 0, nearest_s = 0;  // least of all; NaN
+    std::vector<Moment> moments;          // one for each step of the file
+    double first_s = 0, last_s = 0;       // times of the first and the last crossing; NaN: none
+    double flow_per_s = 0;                // crossings a second between them; NaN: fewer than two
+    double nearest_m = 0, nearest_s = 0;  // least distance of all, and its time; NaN: none
     double most_per_m2 = 0;               // density
 };
 
-// Throws scenes::Failure: of a file in which no person has two samples, or with more than 10^7 steps.
+// Throws scenes::Failure where no person has two samples, and beyond 2 million steps.
 Measures measure(const clq_trajectories *trajectories, std::optional<MeasurementLine> line,
                  std::optional<MeasurementArea> area);
 

@@ -27,7 +27,7 @@ public:
         : library_(library),
           arguments_(a),
           takeover_(library, options_of(a), a.setup.scenario, *a.setup.described, stage_options(a),
-                    [setup = a.setup]() mutable {  // with what the command says of its characters
+                    [setup = a.setup]() mutable {  // with the placement that the command gives
                         read_scenario(setup);
                         return *setup.described;
                     })

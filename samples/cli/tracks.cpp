@@ -1,5 +1,5 @@
-// claque tracks: what a file of trajectories or a record contains, how claque shows it, a plan of the paths, and the
-// positions in a record as a file that others read.
+// claque tracks: contents and measures of a file of trajectories or a record, its people as claque shows them, a plan
+// of the paths, and the positions in a record as a file for other programs.
 #include <algorithm>
 #include <cmath>
 #include <iostream>

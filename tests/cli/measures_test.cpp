@@ -77,7 +77,7 @@ protected:
     const std::vector<std::string> line_ = {"--line", "0,-1,0,1"}, area_ = {"--area", "-1,-1,1,1"};
 };
 
-TEST_F(Measures, AreThoseOfTheDefinitionsAtEachStep)
+TEST_F(Measures, FollowTheDefinitionsAtEachStep)
 {
     const Outcome outcome = tracks({"--measure", path("m.csv"), line_[0], line_[1], area_[0] + "=" + area_[1]});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -118,7 +118,7 @@ TEST_F(Measures, AreThoseOfTheDefinitionsAtEachStep)
         << outcome.out;
 }
 
-TEST_F(Measures, AreOfAWalkableAreaAsOfItsRectangle)
+TEST_F(Measures, AreEqualForARectangleAndItsWalkableArea)
 {
     std::ofstream(path("square.wkt")) << "POLYGON ((-1 -1, 1 -1, 1 1, -1 1, -1 -1))";
     ASSERT_EQ(tracks({"--measure", path("a.csv"), area_[0] + "=" + area_[1]}).code, 0);
@@ -128,7 +128,7 @@ TEST_F(Measures, AreOfAWalkableAreaAsOfItsRectangle)
     EXPECT_NE(file_text(path("a.csv")).find(",\n"), std::string::npos) << "without a line, crossings are empty";
 }
 
-TEST_F(Measures, OfALineAreDrawnOverTime)
+TEST_F(Measures, DrawCrossingsOverTime)
 {
     const Outcome outcome = tracks({"--measure", path("n.svg"), "--measure", path("n.csv"), "--line", "0,1,0,-1"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
@@ -136,7 +136,7 @@ TEST_F(Measures, OfALineAreDrawnOverTime)
     EXPECT_NE(outcome.out.find("3 crossed the line"), std::string::npos) << outcome.out << "either way counts";
 }
 
-TEST_F(Measures, ThatCannotBeAreRefused)
+TEST_F(Measures, RefuseWrongLinesAreasAndFiles)
 {
     const auto refused = [&](const std::vector<std::string> &more, const std::string &why) {
         const Outcome outcome = tracks(more);
@@ -146,7 +146,8 @@ TEST_F(Measures, ThatCannotBeAreRefused)
     refused({"--measure", path("m.txt")}, "m.txt ends in none of .csv, .svg and .png");
     refused({"--measure", path("m.svg")}, "m.svg shows crossings of a line: --line says which");
     refused({"--measure", path("m.csv"), "--line", "0,0,1"}, "'0,0,1' is no line");
-    refused({"--measure", path("m.csv"), "--line", "2,3,2,3"}, "'2,3,2,3' is no line");
+    refused({"--measure", path("m.csv"), "--line", "2,3,2,3"}, "'2,3,2,3' has no length");
+    refused({"--measure", path("m.csv"), "--area", "1,1,2"}, "'1,1,2' is no rectangle");
     refused({"--measure", path("m.csv"), "--area", "0,0,0,1"}, "'0,0,0,1' has no size");
     refused({"--measure", path("m.csv"), "--area", path("none.wkt")}, "none.wkt");
     refused({"--line", "0,0,1,1"}, "--line requires --measure");

@@ -66,7 +66,7 @@ protected:
         std::memcpy(xyz.data(), file.data() + 128, xyz.size() * sizeof(float));
         return xyz;
     }
-    // Of one scenario with a class of this character and these lines.
+    // Runs a scenario with one class, of this character and with these lines.
     Outcome scenario(const std::string &character, const std::string &lines,
                      const std::vector<std::string> &more = {}) const
     {

@@ -162,15 +162,15 @@ TEST_F(PlayCommand, FollowsAPersonAndLaysAGround)
     EXPECT_NE(picture_of(path("all.png")).rgb, picture_of(path("ben.png")).rgb);
 }
 
-TEST_F(PlayCommand, WarnsWhereThePersonIsNotThereWhomTheCameraFollows)
+TEST_F(PlayCommand, WarnsWhenTheFollowedPersonIsAbsent)
 {
     const auto followed = [&](const std::string &id, const std::string &time_s) {
         return play({"--time", time_s, "--camera", "follow:" + id, "--out", path("p.png")});
     };
-    const std::string there = "the person ben, whom the camera follows, is there from 2.1 to 10 s";
+    const std::string there = "person ben is present from 2.1 to 10 s";
     EXPECT_NE(followed("ben", "1").err.find(there), std::string::npos);
     for (const char *time_s : {"2.1", "5", "10"})
-        EXPECT_EQ(followed("ben", time_s).err.find("whom the camera follows"), std::string::npos) << time_s;
+        EXPECT_EQ(followed("ben", time_s).err.find("is present from"), std::string::npos) << time_s;
     EXPECT_NE(followed("bne", "5").err.find("no person has the id bne that the camera is to follow: 'ben' is near"),
               std::string::npos);
 }

@@ -16,7 +16,7 @@ aiNode *node_at(aiNode &parent, const char *name, float height)
     return node;
 }
 
-TEST(Skins, TakeOfBonesOfOneNameTheOneThatLeavesTheMeshInPlace)
+TEST(Skins, ChooseTheBoneThatLeavesTheMeshInPlace)
 {
     for (const bool hat_first : {false, true}) {
         aiScene from;

@@ -16,8 +16,8 @@ namespace
 
 constexpr uint32_t max_shades = 8;  // per zone
 
-// Levels of at most so many triangles get one shade per tint, because vertices between shades are split. A zone that is
-// a whole picture keeps its shades: its mean would be a person in one colour.
+// Levels up to this size get one shade per tint, because vertices between shades are split. A zone that is a whole
+// picture keeps its shades: its mean would be a person in one colour.
 constexpr size_t one_shade_triangles = 64;
 // Quantisation step of a colour's difference from its grey. A zone that varies only in brightness has one tint.
 constexpr double tint_step = 0.25;

@@ -10,6 +10,7 @@
 #include "samples/scenes/stone.h"
 #include "samples/scenes/walkers/ground.h"
 #include "samples/scenes/walkers/plain.h"
+#include "samples/scenes/walkers/record_positions.h"
 
 namespace scenes::walkers
 {
@@ -23,43 +24,18 @@ struct Box {
     bool empty() const { return !(low[0] <= high[0]); }
 };
 
-clq_view *view_of_everything(clq_crowd *crowd)
-{
-    constexpr float reach = 1e5f;
-    clq_camera camera = {};
-    camera.rotation_xyzw[3] = 1;
-    camera.projection[0] = camera.projection[5] = 1 / reach;
-    camera.projection[10] = -1 / reach, camera.projection[15] = 1;
-    clq_view *view = nullptr;
-    check(clq_view_create(crowd, &view));
-    check(clq_view_set_camera(view, &camera));
-    return view;
-}
-
-Box box_of(clq_context *context, const clq_record *record, const clq_record_info &info, clq_crowd_def def)
+Box box_of(Library &library, const RecordFile &file)
 {
     constexpr int moments = 8;
-    def.cache = CLQ_CACHE_NONE, def.cache_budget_bytes = 0;
-    clq_crowd *made = nullptr;
-    check(clq_crowd_create(context, &def, &made));
-    const Own<clq_crowd> crowd(made);
-    clq_view *view = view_of_everything(made);
+    RecordPlaces places(library, file);
     Box box;
-    for (int k = 0; k <= moments; ++k) {
-        const double time_s = info.start_s + (info.end_s - info.start_s) * k / moments;
-        check(clq_record_play(record, made, time_s));
-        check(clq_crowd_update(made, time_s, &view, 1));
-        clq_view_stats stats = clq_view_stats_init();
-        check(clq_view_get_stats(view, &stats));
-        for (uint32_t i = 0; i < stats.visible; ++i) {
-            clq_drawn_actor drawn = clq_drawn_actor_init();
-            check(clq_view_get_drawn_actor(view, i, &drawn));
-            for (int axis = 0; axis < 3; ++axis) {
-                const double x = double(drawn.model_view[12 + axis]);
-                box.low[axis] = std::min(box.low[axis], x), box.high[axis] = std::max(box.high[axis], x);
-            }
-        }
-    }
+    for (int k = 0; k <= moments; ++k)
+        places.at(file.info.start_s + (file.info.end_s - file.info.start_s) * k / moments,
+                  [&](clq_actor, const double *position) {
+                      for (int axis = 0; axis < 3; ++axis)
+                          box.low[axis] = std::min(box.low[axis], position[axis]),
+                          box.high[axis] = std::max(box.high[axis], position[axis]);
+                  });
     return box;
 }
 
@@ -93,7 +69,7 @@ public:
         clq_crowd *made = nullptr;
         check(clq_crowd_create(library.context(), &def, &made), options.file);
         crowd_.reset(made);
-        Box box = box_of(library.context(), file_.record.get(), file_.info, def);
+        Box box = box_of(library, file_);
         if (box.empty()) box = {{-5, 0, -5}, {5, 0, 5}};
         plan_.half_x = std::max(1.0, (box.high[0] - box.low[0]) / 2);
         plan_.half_z = std::max(1.0, (box.high[2] - box.low[2]) / 2);
@@ -157,8 +133,10 @@ private:
             for (int k = 0; k < 3; ++k) followed_at_[k] = k == 1 ? plan_.ground : matrix[12 + k];
             return;
         }
-        library_.warn("no actor has the number " + std::to_string(*followed_) +
-                      ", which the camera follows, at some of the times shown: the camera waits");
+        clq_context_log(library_.context(), CLQ_LOG_WARNING,
+                        ("actor " + std::to_string(*followed_) +
+                         " is absent at some of the times shown: the camera that follows waits")
+                            .c_str());
     }
 
     Library &library_;

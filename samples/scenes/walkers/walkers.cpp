@@ -85,7 +85,7 @@ public:
     void place(double time_s) override
     {
         places_.clear();
-        if (followed_) expect_there(people_->all()[*followed_], time_s);
+        if (followed_) warn_of_absence(people_->all()[*followed_], time_s);
         for (size_t i = 0; i < walks_.size(); ++i) {
             const Person &person = people_->all()[i];
             if (time_s < person.start_s - around_s || time_s > person.end_s + around_s) continue;
@@ -177,16 +177,15 @@ private:
                       claque::base::names_near(id, ids));
     }
 
-    void expect_there(const Person &person, double time_s) const
+    void warn_of_absence(const Person &person, double time_s) const
     {
         constexpr double instant_s = 1e-6;
         if (time_s >= person.start_s - instant_s && time_s <= person.end_s + instant_s) return;
         char text[160];
         std::snprintf(text, sizeof text,
-                      ", whom the camera follows, is there from %.6g to %.6g s: at other times it waits where the "
-                      "person comes or goes",
+                      " is present from %.6g to %.6g s: at other times the camera that follows waits at the nearer end",
                       person.start_s, person.end_s);
-        library_.warn("the person " + person.id + text);
+        clq_context_log(library_.context(), CLQ_LOG_WARNING, ("person " + person.id + text).c_str());
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
