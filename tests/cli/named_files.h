@@ -76,6 +76,7 @@ constexpr Named all_named[] = {
     {"parity compare", "$x $x --tolerance @.toml", ""},
     {"tracks", "@.csv", "FILE"},
     {"tracks", "@.clt", "FILE"},
+    {"tracks", "$few.csv --columns id,frame,x,y --rate 1 --unit m --measure $x.csv --area @.wkt", ""},
     {"tracks", "$few.csv --columns id,frame,x,y --rate 1 --unit m --characters @.glb", ""},
     {"play", "@.csv --out $x.png --time 0", "FILE"},
     {"play", "@.clt --out $x.png --time 0", "FILE"},
@@ -115,6 +116,7 @@ constexpr Named all_named[] = {
      ""},
     {"stage", "$samples/scenarios/evacuation.toml --seconds 1 --colours @.toml", ""},
     {"stage", "$samples/scenarios/evacuation.toml --seconds 1 --restore @", ""},
+    {"stage", "$samples/scenarios/evacuation.toml --seconds 1 --record $x.clt --measure $x.csv --area @.wkt", ""},
 };
 
 // Options that name no file, or one that is written. Some name a file in one command, which is above: --vary of labels,
@@ -130,6 +132,6 @@ constexpr const char *name_nothing_read =
     "--texture --texture-set --scale --class --image --propose --zone --reduce --zones-out --texture-size --html "
     "--pixels-per-degree --write --serve --rates --shots --at --commands --apart --in-turn --live --draw --stall "
     "--vary --tolerance --picture --allow-mechanisms --origin --quiet --turn --blend --legs --torso --neck --head "
-    "--walk --idle --nodes --colours";
+    "--walk --idle --nodes --colours --measure --line";
 
 }  // namespace cli_test
