@@ -1,9 +1,10 @@
 /* clq_navigation and clq_walkers (libclaque-stage): people that find their way and give way to each other.
  *
  * A navigation is the ground on which people can walk, made once from triangles by Recast: a scene's geometry, or a
- * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and avoids the
- * others by DetourCrowd, in ticks of fixed length. What they did is published as pieces of tracks (claque/track.h),
- * with gait and steps, that never change afterwards; any crowd shows them, and any file keeps them.
+ * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and keeps
+ * apart from the others, in ticks of fixed length: no two bodies ever touch (docs/navigation.md). What they did is
+ * published as pieces of tracks (claque/track.h), with gait and steps, that never change afterwards; any crowd shows
+ * them, and any file keeps them.
  *
  * The result is a function of the calls: equal calls give equal bits, whatever the threads.
  *
@@ -134,6 +135,11 @@ CLQ_DEFINE_ZERO_INIT(clq_way)
 CLQ_API clq_status clq_navigation_find_way(const clq_navigation *navigation, const double from[3], const double to[3],
                                            uint32_t max_points, double *points, clq_way *out);
 
+/* The time gap and the body of people who hurry, as in experiments with volunteers: doors of 0.5 and 3 m let as many
+ * through as were measured. Bodies so narrow have their shoulders turned. */
+#define CLQ_HURRIED_TIME_GAP_S 0.8f
+#define CLQ_HURRIED_RADIUS_M 0.17f
+
 typedef struct clq_walkers_def {
     uint32_t struct_bytes; /* set by clq_walkers_def_init */
     uint32_t max_count;    /* [1, 16000] walkers at one time. Default 500 */
@@ -143,9 +149,9 @@ typedef struct clq_walkers_def {
     uint32_t piece_ticks;  /* [2, 200] of a piece of a track. Default 10 */
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
-    /* [0, 5] seconds that a walker keeps to the one before it: its speed is at most the gap between them divided by
-     * this. 0: it walks at full speed until it avoids. Default 0.4: a wide door then lets about as many people through
-     * as were measured (docs/navigation.md) */
+    /* [0, 5] seconds that a walker keeps to the one ahead: its speed is at most the gap between the bodies, 0.3 s
+     * later, divided by this. 0: it walks at full speed until it would touch. Default 1.05: doors then let 1.4 to 1.7
+     * people a second and metre through (docs/navigation.md); CLQ_HURRIED_TIME_GAP_S: people who hurry */
     float time_gap_s;
     /* As in clq_track_def: where feet stand on uneven ground, such as stairs that the navigation has as ramps. Called
      * by clq_walkers_step, or by clq_stage_step, on the calling thread. Give the same function of points after a
@@ -165,7 +171,7 @@ static inline clq_walkers_def clq_walkers_def_init(void)
     def.piece_ticks = 10;
     def.plans = 32;
     def.smooth_s = 0.6f;
-    def.time_gap_s = 0.4f;
+    def.time_gap_s = 1.05f;
     return def;
 }
 
@@ -189,7 +195,7 @@ typedef struct clq_walker_def {
     const clq_locomotion *locomotion; /* of its template, held by the host; NULL (default): it publishes no pieces */
     double position[3];               /* within 2 m of the ground, to which it is moved */
     float heading_rad;                /* as in clq_track_point */
-    float radius_m;                   /* [0.05, max_radius_m] of its body. Default 0.22 */
+    float radius_m;                   /* [0.05, max_radius_m] of its body. Default 0.2 */
     float speed_m_s;                  /* (0, 8] that it likes. Default 1.34 */
     float acceleration_m_s2;          /* [0.1, 50] default 4 */
     float scale;                      /* (> 0) of its actor, as in clq_transform. Default 1 */
@@ -201,7 +207,7 @@ static inline clq_walker_def clq_walker_def_init(void)
     clq_walker_def def;
     memset(&def, 0, sizeof def);
     def.struct_bytes = (uint32_t)sizeof def;
-    def.radius_m = 0.22f;
+    def.radius_m = 0.2f;
     def.speed_m_s = 1.34f;
     def.acceleration_m_s2 = 4.0f;
     def.scale = 1.0f;

@@ -26,7 +26,7 @@ struct Walker {
     double position[3] = {};  // world units
     double heading_rad = 0;   // as in claque/track.h
     float scale = 1;          // of the actor's transform
-    float radius_m = 0.25f;   // of its body
+    float radius_m = 0.2f;    // of its body
 };
 
 // A place to walk to.

@@ -12,11 +12,13 @@ namespace
 {
 
 constexpr double stop_m_s = 0.10, start_m_s = 0.25;  // with hysteresis, or people would start at every sway
-constexpr double max_drift_m = 0.25;                 // farther than this a person takes a step
-constexpr uint32_t step_samples = 50;                // for which there is a second
-constexpr uint32_t bend_samples = 75;                // 1.5 s in which the path returns to its own place
-constexpr uint32_t speed_half = 12;                  // half a second
-constexpr uint32_t settle = 7;                       // at either end of a stand
+// Farther than this a person takes a step. Points that are smoothed less sway less, and people of a dense crowd are to
+// stay where they are.
+constexpr double max_drift_m = 0.25, min_drift_m = 0.08, drift_m_s = 0.4;
+constexpr uint32_t step_samples = 50;  // for which there is a second
+constexpr uint32_t bend_samples = 75;  // 1.5 s in which the path returns to its own place
+constexpr uint32_t speed_half = 12;    // half a second
+constexpr uint32_t settle = 7;         // at either end of a stand
 
 double speed_of(const FinePath &path, uint32_t i, uint32_t half)
 {
@@ -27,12 +29,12 @@ double speed_of(const FinePath &path, uint32_t i, uint32_t half)
 }
 
 // A run of slow samples as stands that drift by little; between them lies a step.
-void add_stands(const FinePath &path, uint32_t first, uint32_t last, Array<FinePath::Piece> &stands)
+void add_stands(const FinePath &path, double drift_m, uint32_t first, uint32_t last, Array<FinePath::Piece> &stands)
 {
     uint32_t begin = first;
     for (uint32_t i = first; i <= last; ++i) {
         const double x = path.x[i] - path.x[begin], z = path.z[i] - path.z[begin];
-        if (x * x + z * z <= max_drift_m * max_drift_m) continue;
+        if (x * x + z * z <= drift_m * drift_m) continue;
         const uint32_t end = i > step_samples / 2 ? i - step_samples / 2 : 0;
         if (end >= begin + min_stand + 2 * settle) stands.push_back({begin, end});
         begin = i + step_samples / 2;
@@ -43,7 +45,7 @@ void add_stands(const FinePath &path, uint32_t first, uint32_t last, Array<FineP
 
 bool stood(const FinePath &path) { return path.previous && path.previous->samples.back().flags & stands_flag; }
 
-Array<FinePath::Piece> slow_runs(const FinePath &path)
+Array<FinePath::Piece> slow_runs(const FinePath &path, double drift_m)
 {
     Array<FinePath::Piece> stands(path.x.get_allocator().resource());
     bool slow = false;
@@ -56,10 +58,10 @@ Array<FinePath::Piece> slow_runs(const FinePath &path)
         if (!slow && speed < stop_m_s) slow = true, begin = i;
         if (slow && speed > start_m_s) {
             slow = false;
-            add_stands(path, begin, i - 1, stands);
+            add_stands(path, drift_m, begin, i - 1, stands);
         }
     }
-    if (slow) add_stands(path, begin, path.count() - 1, stands);
+    if (slow) add_stands(path, drift_m, begin, path.count() - 1, stands);
     return stands;
 }
 
@@ -102,9 +104,10 @@ void freeze(Array<double> &values, const Array<FinePath::Piece> &stands, const A
 
 }  // namespace
 
-void find_stands(const BuildSettings &, FinePath &path)
+void find_stands(const BuildSettings &settings, FinePath &path)
 {
-    const Array<FinePath::Piece> stands = slow_runs(path);
+    const Array<FinePath::Piece> stands =
+        slow_runs(path, std::clamp(drift_m_s * settings.smooth_s, min_drift_m, max_drift_m));
     const uint32_t count = path.count();
     path.stands.assign(count, 0);
     path.pieces.clear();

@@ -91,9 +91,9 @@ void Run::make_stage(Library &library, const RunOptions &options)
     clq_walkers_def walking = clq_walkers_def_init();
     walking.max_count = static_cast<uint32_t>(std::max<size_t>(1, people_.all().size()));
     walking.tick_s = described_.tick_s;
-    walking.smooth_s = 0.3f;  // in a crowd tracks are to stay beside each other
+    walking.smooth_s = 0.2f;  // in a crowd tracks are to stay beside each other
     walking.max_radius_m = static_cast<float>(described_.ground->body_radius_m);
-    walking.time_gap_s = static_cast<float>(described_.ground->time_gap_s);
+    if (described_.ground->time_gap_s) walking.time_gap_s = static_cast<float>(*described_.ground->time_gap_s);
     const Setting::Stone stone = setting_.stone();
     walking.ground = stone.height, walking.ground_user = stone.user;
     std::vector<const clq_locomotion *> locomotions;

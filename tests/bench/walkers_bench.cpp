@@ -1,4 +1,4 @@
-// How many people of libclaque-stage walk in a step: ways by Detour, avoidance by DetourCrowd, pieces of tracks.
+// How many people of libclaque-stage walk in a step: ways by Detour, bodies apart, pieces of tracks.
 #include <claque/assets.h>
 #include <claque/navigation.h>
 

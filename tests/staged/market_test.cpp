@@ -95,7 +95,7 @@ TEST(Market, PeopleGoThroughNoPersonAndNoThing)
     EXPECT_EQ(in_something, 0u);
     EXPECT_LT(static_cast<double>(in_booths), 0.003 * static_cast<double>(samples)) << "but for some who fled there";
     EXPECT_GT(at_posts, 24u * 140) << "those who sell stand in them";
-    EXPECT_GT(nearest_m, 0.25);
+    EXPECT_GT(nearest_m, 0.2);  // as shown; as they walk, 0.4
     EXPECT_LT(static_cast<double>(touching), 0.0005 * static_cast<double>(samples));
     EXPECT_GT(walked_m / count, 12);
     EXPECT_EQ(world.run().counts().refused, 0u);

@@ -15,7 +15,7 @@ namespace
 {
 
 constexpr char magic[8] = {'c', 'l', 'q', 's', 't', 'a', 'g', 'e'};
-constexpr uint32_t save_version = 2;
+constexpr uint32_t save_version = 3;
 constexpr size_t head_bytes = 8 + 4 + 8 + 8;
 
 uint64_t hash_of(const uint8_t *bytes, size_t size)

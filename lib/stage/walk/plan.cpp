@@ -9,7 +9,7 @@ namespace claque::walk
 namespace
 {
 
-constexpr int checked_polygons = 10;  // of its way, which DetourCrowd wants to be open to the walker in every tick
+constexpr int checked_polygons = 10;  // of its way, which are to be open to the walker
 
 bool is_closed(const Mesh &mesh, dtPolyRef polygon) { return flags_of(mesh, polygon) & closed_flag; }
 

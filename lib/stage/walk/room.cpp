@@ -1,4 +1,4 @@
-// Standing walkers make room for walkers that cannot pass, and take their places again. DetourCrowd leads walkers round
+// Standing walkers make room for walkers that cannot pass, and take their places again. A walker goes round
 // standing ones but moves none of these: in a gap both would wait for ever.
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,6 @@ constexpr float touch_m = 0.15f;   // gap between bodies: a body that steps asid
 constexpr float margin_m = 0.06f;  // gap between bodies that pass
 constexpr float hampered = 0.7f;   // share of its speed: a walker that makes less cannot pass
 constexpr float stuck = 0.1f;      // the same where there seems to be room
-constexpr float still_m_s = 0.05f;
 constexpr float any_speed = 1e9f;
 constexpr float left_m = 0.2f;       // so far from its place a walker goes back to it
 constexpr float there_m = 0.05f;     // until it is so near
@@ -161,29 +160,6 @@ void Walkers::go_back(uint32_t i, bool went_back)
     }
     const float velocity[3] = {x * back_m_s / distance, 0, z * back_m_s / distance};
     crowd_->requestMoveVelocity(static_cast<int>(i), velocity);
-}
-
-// A standing walker is not pushed: its track shows no movement below 0.25 m (docs/tracks.md), so others would be drawn
-// walking through it.
-void Walkers::hold_still()
-{
-    still_.clear();
-    for (uint32_t i = 0; i < bodies_.size(); ++i) {
-        if (!bodies_[i].used() || !rests(bodies_[i])) continue;
-        const dtCrowdAgent &a = agent(i);
-        if (is_moved(a) || length_of(a.vel[0], a.vel[2]) > still_m_s) continue;
-        still_.push_back({i, a.corridor.getFirstPoly(), {a.npos[0], a.npos[1], a.npos[2]}});
-    }
-}
-
-void Walkers::put_still_back()
-{
-    for (const Still &one : still_) {
-        dtCrowdAgent &a = agent(one.index);
-        a.corridor.reset(one.polygon, one.place.data());
-        std::copy(one.place.begin(), one.place.end(), a.npos);
-        std::fill(a.vel, a.vel + 3, 0.0f);
-    }
 }
 
 // Whether walkers that stand at its goal keep it from coming nearer.

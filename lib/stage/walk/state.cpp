@@ -29,11 +29,10 @@ void floats(Archive &archive, float *values, int count)
 template <class Archive>
 void walk_agent(Archive &archive, dtCrowdAgent &a)
 {
-    numbers(archive, a.params.radius, a.params.maxAcceleration, a.params.maxSpeed, a.params.queryFilterType, a.partial,
-            a.targetState, a.targetRef, a.topologyOptTime, a.targetReplanTime, a.desiredSpeed);
+    numbers(archive, a.params.radius, a.params.maxAcceleration, a.params.queryFilterType, a.partial, a.targetState,
+            a.targetRef);
     floats(archive, a.npos, 3);
     floats(archive, a.vel, 3);
-    floats(archive, a.nvel, 3), floats(archive, a.dvel, 3);
     floats(archive, a.targetPos, 3);
     archive.number(a.nneis);
     if (a.nneis < 0 || a.nneis > DT_CROWDAGENT_MAX_NEIGHBOURS) bad_save("a walker has too many neighbours");
@@ -132,7 +131,6 @@ void Walkers::put_back(uint32_t i, const std::vector<dtPolyRef> &path, const flo
     a.corridor.setCorridor(target, path.data(), static_cast<int>(path.size()));
     a.boundary.reset();
     a.state = DT_CROWDAGENT_STATE_WALKING;
-    a.params.collisionQueryRange = 12 * a.params.radius;
     a.params.pathOptimizationRange = 30 * a.params.radius;
     check_saved(i);
 }
@@ -150,15 +148,12 @@ void Walkers::check_saved(uint32_t i) const
     good = good && (no_way || mesh_.nav->isValidPolyRef(a.targetRef));
     for (int k = 0; k < a.nneis; ++k)
         good = good && a.neis[k].idx >= 0 && static_cast<size_t>(a.neis[k].idx) < bodies_.size();
-    good = good && a.params.maxSpeed > 0 && a.params.maxSpeed <= 8;
     good = good && body.border < def_.piece_ticks && std::fabs(body.pull_s) < max_clock_s;
     for (const double x : body.beside) good = good && std::fabs(x) < 1e12;
     good = good && (body.goal_ref == 0 || mesh_.nav->isValidPolyRef(body.goal_ref));
-    for (const float *vector :
-         {a.npos, a.vel, a.nvel, a.dvel, a.targetPos, body.goal.data(), body.end.data(), a.corridor.getTarget()})
+    for (const float *vector : {a.npos, a.vel, a.targetPos, body.goal.data(), body.end.data(), a.corridor.getTarget()})
         for (int k = 0; k < 3; ++k) good = good && std::fabs(vector[k]) < 1e6f;
-    for (const float x : {a.topologyOptTime, a.targetReplanTime, a.desiredSpeed, body.aim[0], body.aim[1]})
-        good = good && std::fabs(x) < 1e9f;
+    for (const float x : body.aim) good = good && std::fabs(x) < 1e9f;
     double before_s = -max_clock_s;
     for (const clq_track_point &point : body.points) {
         good = good && point.time_s > before_s && point.time_s <= time_s();
@@ -196,9 +191,7 @@ Walkers::Doors Walkers::restore(stage::SaveReader &in, const std::vector<const c
     }
     // Agents get the first free number: all up to the last, then those that are not used are removed.
     dtCrowdAgentParams params{};
-    params.radius = 0.1f, params.height = 1.9f, params.separationWeight = 1;
-    params.updateFlags =
-        DT_CROWD_ANTICIPATE_TURNS | DT_CROWD_OBSTACLE_AVOIDANCE | DT_CROWD_SEPARATION | DT_CROWD_OPTIMIZE_VIS;
+    params.radius = 0.1f, params.height = 1.9f;
     const float nowhere[3] = {mesh_.min[0], mesh_.min[1], mesh_.min[2]};
     for (Body &body : bodies_) in.number(body.generation);
     for (uint32_t i = 0; i < bodies_.size(); ++i) crowd_->addAgent(nowhere, &params);

@@ -10,9 +10,10 @@ namespace claque::walk
 namespace
 {
 
-constexpr float body_depth = 1.36f;  // from front to back, in radii of the body, which is wider: 0.3 m
-constexpr float min_speed = 0.1f;    // so that no two wait for each other
-constexpr float alone_m = 0.5f;      // so near its goal a walker leaves others no more room than their bodies need
+constexpr float wide_m = 0.1f;     // round a corner
+constexpr float passed_m = 0.06f;  // a corner so near is passed
+constexpr float onward_m = 2.5f;   // along its way: where two of a queue go the same way
+constexpr float rounding_m = 1e-4f;
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
 
 float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }
@@ -26,42 +27,109 @@ void Walkers::step()
     else publish();
     see_doors();
     plan_ways();
-    for (uint32_t i = 0; mesh_.has_byways && i < bodies_.size(); ++i)
-        if (bodies_[i].used()) keep_to_byways(i);
-    for (uint32_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].used()) keep_distance(i), make_room(i);
-    hold_still();
-    crowd_->update(static_cast<float>(def_.tick_s), nullptr);
-    put_still_back();
+    const auto each = [&](auto &&use) {
+        for (uint32_t i = 0; i < bodies_.size(); ++i)
+            if (bodies_[i].used()) use(i);
+    };
+    if (mesh_.has_byways) each([&](uint32_t i) { keep_to_byways(i); });
+    each([&](uint32_t i) { make_room(i); });
+    each([&](uint32_t i) { look_along(i); });
+    fill_cells();
+    each([&](uint32_t i) { see_bodies(i), see_walls(i); });
+    each([&](uint32_t i) { steer(i); });
+    give_way();
+    each([&](uint32_t i) { move(i); });
     ++ticks_;
-    for (uint32_t i = 0; i < bodies_.size(); ++i)
-        if (bodies_[i].used()) look_round(i), record(i);
+    each([&](uint32_t i) { look_round(i), record(i); });
     all_published_ = false;
     publish();
 }
 
-// People walk slower the closer the one before them is: the gap between the bodies divided by a time (the
-// collision-free speed model of Tordeux, Chraibi and Seyfried 2016). DetourCrowd alone lets a crowd through a door at
-// twice the rate that was measured. Walkers that come the other way or stand are walked round.
-void Walkers::keep_distance(uint32_t i)
+// Where its way leads: past the corners that it is at, and wide of the next one, so that it does not scrape the wall.
+void Walkers::look_along(uint32_t i)
 {
-    const Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
-    a.params.maxSpeed = body.speed;
-    a.params.separationWeight = rests(body) ? 0 : std::clamp(between(a.npos, body.goal) - alone_m, 0.0f, 1.0f);
-    if (body.state != CLQ_WALKER_WALKS || !(def_.time_gap_s > 0)) return;
-    const float length = length_of(a.dvel[0], a.dvel[2]);
-    if (!(length > 0)) return;
-    const float x = a.dvel[0] / length, z = a.dvel[2] / length, depth = body_depth * a.params.radius;
-    for (int k = 0; k < a.nneis; ++k) {
-        const dtCrowdAgent &other = agent(static_cast<uint32_t>(a.neis[k].idx));
-        const float dx = other.npos[0] - a.npos[0], dz = other.npos[2] - a.npos[2];
-        const bool ahead = dx * x + dz * z > 0 && std::fabs(dx * z - dz * x) < depth;
-        const bool same_way = other.active && other.dvel[0] * x + other.dvel[2] * z > 0;
-        if (!ahead || !same_way) continue;
-        const float gap = length_of(dx, dz) - depth;
-        a.params.maxSpeed = std::min(a.params.maxSpeed, std::max(min_speed, gap / def_.time_gap_s));
+    const Body &body = bodies_[i];
+    Wish &wish = scratch_.wishes[i];
+    wish = Wish();
+    wish.time_gap_s = def_.time_gap_s;
+    const float speed = length_of(a.vel[0], a.vel[2]);
+    if (speed > still_m_s) wish.speed_now = speed, wish.heading = {a.vel[0] / speed, a.vel[2] / speed};
+    if (body.state != CLQ_WALKER_WALKS || a.targetState != DT_CROWDAGENT_TARGET_VALID) return;
+    a.ncorners = a.corridor.findCorners(a.cornerVerts, a.cornerFlags, a.cornerPolys, DT_CROWDAGENT_MAX_CORNERS,
+                                        mesh_.query.get(), filter(a));
+    if (a.ncorners == 0) return;
+    a.corridor.optimizePathVisibility(a.cornerVerts + 3 * std::min(1, a.ncorners - 1), a.params.pathOptimizationRange,
+                                      mesh_.query.get(), filter(a));
+    Flat here;
+    float first_m = 0;
+    for (int k = 0; k < a.ncorners; ++k) {
+        const Flat corner = {a.cornerVerts[3 * k] - a.npos[0], a.cornerVerts[3 * k + 2] - a.npos[2]};
+        const Flat leg = {corner.x - here.x, corner.z - here.z};
+        const float leg_m = length_of(leg);
+        if (!(first_m > passed_m)) {
+            wish.direction = corner;
+            if (k + 1 < a.ncorners) {
+                const Flat next = {a.cornerVerts[3 * k + 3] - a.npos[0], a.cornerVerts[3 * k + 5] - a.npos[2]};
+                const Flat in = unit(corner), out = unit({next.x - corner.x, next.z - corner.z});
+                const Flat wide = {in.x - out.x, in.z - out.z};
+                const float bend = length_of(wide);
+                if (bend > 0.01f)
+                    wish.direction = {corner.x + wide_m * wide.x / bend, corner.z + wide_m * wide.z / bend};
+            }
+            first_m = length_of(wish.direction);
+        }
+        if (leg_m > 0 && wish.left_m < onward_m) {
+            const float share = std::min(1.0f, (onward_m - wish.left_m) / leg_m);
+            wish.onward = {here.x + leg.x * share, here.z + leg.z * share};
+        }
+        wish.left_m += leg_m;
+        here = corner;
     }
+    // Beyond the last corner that is known, as the crow flies.
+    wish.left_m +=
+        length_of(a.corridor.getTarget()[0] - a.npos[0] - here.x, a.corridor.getTarget()[2] - a.npos[2] - here.z);
+    if (!(first_m > 0)) return;
+    wish.direction = unit(wish.direction);
+    wish.onward = length_of(wish.onward) > 0.01f ? unit(wish.onward) : wish.direction;
+    wish.speed = body.speed;
+    wish.in_sight_m = INFINITY;
+    if (a.ncorners > 1 || !(a.cornerFlags[0] & DT_STRAIGHTPATH_END)) return;
+    wish.in_sight_m = first_m;
+    wish.speed *= std::min(1.0f, first_m / (2 * a.params.radius));
+}
+
+void Walkers::steer(uint32_t i)
+{
+    dtCrowdAgent &a = agent(i);
+    Flat v;
+    if (a.targetState == DT_CROWDAGENT_TARGET_VELOCITY) v = {a.targetPos[0], a.targetPos[2]};
+    else if (scratch_.wishes[i].speed > 0) v = choose_velocity(scratch_.wishes[i], scratch_.around[i]);
+    if (stays(i)) a.vel[0] = a.vel[2] = 0;
+    const Flat change = {v.x - a.vel[0], v.z - a.vel[2]};
+    const float most = a.params.maxAcceleration * static_cast<float>(def_.tick_s), length = length_of(change);
+    if (length > most) v = {a.vel[0] + change.x * most / length, a.vel[2] + change.z * most / length};
+    a.dvel[0] = v.x, a.dvel[1] = 0, a.dvel[2] = v.z;
+}
+
+// A move that the ground bends is kept only if it leaves the others their shares.
+void Walkers::move(uint32_t i)
+{
+    dtCrowdAgent &a = agent(i);
+    const auto tick_s = static_cast<float>(def_.tick_s);
+    const Surroundings &around = scratch_.around[i];
+    const Flat by = keep_apart({a.dvel[0] * tick_s, a.dvel[2] * tick_s}, around);
+    std::fill(a.vel, a.vel + 3, 0.0f);
+    if (by.x == 0 && by.z == 0) return;
+    const Float3 from = {a.npos[0], a.npos[1], a.npos[2]}, to = {from[0] + by.x, from[1], from[2] + by.z};
+    a.corridor.movePosition(to.data(), mesh_.query.get(), filter(a));
+    const Flat made = {a.corridor.getPos()[0] - from[0], a.corridor.getPos()[2] - from[2]};
+    const bool keeps_apart = std::all_of(around.begin(), around.end(), [&](const Near &other) {
+        return dot(made, other.at) <= (std::max(0.0f, other.gap() * other.share) + rounding_m) * other.distance;
+    });
+    if (!keeps_apart) a.corridor.movePosition(from.data(), mesh_.query.get(), filter(a));
+    std::copy(a.corridor.getPos(), a.corridor.getPos() + 3, a.npos);
+    a.vel[0] = (a.npos[0] - from[0]) / tick_s, a.vel[2] = (a.npos[2] - from[2]) / tick_s;
 }
 
 // Arrivals, and the end of a stay in a closed door. The walls beside a walker are looked up again in each tick: they

@@ -26,16 +26,6 @@ clq_walkers_def checked(const clq_walkers_def &def)
     return def;
 }
 
-// What people do: they look two seconds ahead, would rather slow down than turn away, and leave each other room.
-void set_manners(dtCrowd &crowd)
-{
-    dtObstacleAvoidanceParams manners = *crowd.getObstacleAvoidanceParams(0);
-    manners.velBias = 0.5f;
-    manners.horizTime = 2.0f;
-    manners.adaptiveDivs = 7, manners.adaptiveRings = 2, manners.adaptiveDepth = 3;
-    crowd.setObstacleAvoidanceParams(0, &manners);
-}
-
 void set_filters(dtCrowd &crowd, const Mesh &mesh)
 {
     *crowd.getEditableFilter(open_filter) = mesh.open;
@@ -55,12 +45,7 @@ dtCrowdAgentParams agent_of(const clq_walker_def &def)
     params.radius = def.radius_m;
     params.height = 1.9f;
     params.maxAcceleration = def.acceleration_m_s2;
-    params.maxSpeed = def.speed_m_s;
-    params.collisionQueryRange = 12 * def.radius_m;
     params.pathOptimizationRange = 30 * def.radius_m;
-    params.separationWeight = 1;
-    params.updateFlags =
-        DT_CROWD_ANTICIPATE_TURNS | DT_CROWD_OBSTACLE_AVOIDANCE | DT_CROWD_SEPARATION | DT_CROWD_OPTIMIZE_VIS;
     params.queryFilterType = open_filter;
     return params;
 }
@@ -83,12 +68,11 @@ Walkers::Walkers(clq_navigation &mesh, const clq_walkers_def &def)
 {
     if (!crowd_ || !crowd_->init(static_cast<int>(def.max_count), def.max_radius_m, mesh.nav.get()))
         throw std::bad_alloc();
-    set_manners(*crowd_);
     set_filters(*crowd_, mesh);
     bodies_.resize(def.max_count);
     pieces_.reserve(def.max_count);
     way_.polygons.reserve(max_way_polys);
-    still_.reserve(def.max_count);
+    scratch_.wishes.resize(def.max_count), scratch_.around.resize(def.max_count), scratch_.pushes.resize(def.max_count);
     mesh_version_ = mesh.version;
     ++mesh_.holders;
 }

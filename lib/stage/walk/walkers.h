@@ -1,11 +1,14 @@
-// People on a navigation mesh: DetourCrowd moves them, in ticks. The ways are found here and given to the crowd, so
-// that the crowd's own queue of searches stays empty and a tick depends on what is in this struct alone.
+// People on a navigation mesh, in ticks: each looks along its way, sees bodies and walls, chooses a velocity, gives
+// way, and moves by its share of the gaps at most. DetourCrowd holds the agents with their ways; its own update is not
+// called, so a tick depends on what is in this struct alone.
 #pragma once
 
 #include <DetourCrowd.h>
 
 #include "lib/stage/save/archive.h"
+#include "lib/stage/walk/cells.h"
 #include "lib/stage/walk/mesh.h"
+#include "lib/stage/walk/steer.h"
 
 namespace claque::walk
 {
@@ -18,6 +21,7 @@ struct FreeTrack {
 };
 using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 
+constexpr float still_m_s = 0.05f;      // a walker that is slower stands
 constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wants
 
 // Filters of the crowd's agents.
@@ -98,23 +102,33 @@ public:
 
 private:
     dtCrowdAgent &agent(uint32_t i) const { return *crowd_->getEditableAgent(static_cast<int>(i)); }
+    const dtQueryFilter *filter(const dtCrowdAgent &a) const { return crowd_->getFilter(a.params.queryFilterType); }
     clq_walker id_of(uint32_t i) const { return {i + 1, bodies_[i].generation}; }
 
-    // Before the crowd's update.
     void see_doors();
     void keep_to_byways(uint32_t i);
     void plan_ways();
     void plan(uint32_t i);
-    void keep_distance(uint32_t i);
     void make_room(uint32_t i);
     bool wants_to_pass(uint32_t k, const Float3 &place, float radius, float slower_than, Passing &out) const;
     bool one_can_go_round(uint32_t i, const Passing &passing, float bodies) const;
     float room_towards(uint32_t i, float x, float z, float reach) const;
     void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
     void go_back(uint32_t i, bool went_back);
-    void hold_still();
-    // After it.
-    void put_still_back();
+    void look_along(uint32_t i);
+    void fill_cells();
+    bool stays(uint32_t i) const;
+    bool gives_way(uint32_t k, uint32_t i) const;
+    Near near_of(uint32_t i, uint32_t k) const;
+    void see_bodies(uint32_t i);
+    void see_walls(uint32_t i);
+    void steer(uint32_t i);
+    void give_way();
+    Flat held_up_towards(uint32_t i) const;
+    void push_back(uint32_t k, Flat away, bool firmly);
+    void push_those_before(uint32_t i);
+    void push_those_behind(uint32_t i);
+    void move(uint32_t i);
     void look_round(uint32_t i);
     void aim(uint32_t i);
     void rest(uint32_t i, clq_walker_state state);
@@ -139,12 +153,19 @@ private:
     std::vector<Body> bodies_;
     std::vector<clq_walker_piece> pieces_;
     Way way_;  // scratch
-    struct Still {
-        uint32_t index;
-        dtPolyRef polygon;
-        Float3 place;
+    struct Push {
+        Flat away;
+        bool listed = false, firmly = false;
     };
-    std::vector<Still> still_;  // scratch: walkers that are not pushed in this tick
+    // Of one tick, by body.
+    struct Scratch {
+        std::vector<Wish> wishes;
+        std::vector<Surroundings> around;
+        std::vector<Push> pushes;
+        std::vector<uint32_t> order, pushed;
+        std::vector<Cells::Place> places;
+        Cells cells;
+    } scratch_;
     uint64_t ticks_ = 0, plans_ = 0, published_ = 0, mesh_version_ = 0;
     uint32_t next_plan_ = 0;  // the body that is looked at first
     uint32_t count_ = 0;

@@ -1,4 +1,4 @@
-// A gate that was measured in another year and place than the bottleneck by which the walkers' gap was chosen (run
+// A gate that was measured in another year and place than the bottleneck by which the hurried gap was chosen (run
 // 040_c_56_h-, Wuppertal 2018): 75 people stand in a corridor 5.6 m wide and leave by a gate 0.5 m wide.
 #include <claque/trajectories.h>
 
@@ -59,7 +59,9 @@ std::vector<double> walked(const std::vector<Standing> &people, float radius_m)
     floor.wall(-corridor_m / 2, 0, -gate_m / 2, 0.2);
     floor.wall(gate_m / 2, 0, corridor_m / 2, 0.2);
     floor.radius_m = std::min(radius_m, 0.2f), floor.cell_m = 0.04f;
-    const floors::Held held(floor);
+    clq_walkers_def def = clq_walkers_def_init();
+    def.time_gap_s = CLQ_HURRIED_TIME_GAP_S;
+    const floors::Held held(floor, &def);
     std::vector<clq_walker> inside;
     for (const Standing &one : people) {
         inside.push_back(held.add(one.x, -one.y, nullptr, radius_m));
@@ -87,7 +89,7 @@ std::vector<double> walked(const std::vector<Standing> &people, float radius_m)
 
 }  // namespace
 
-TEST(GateOfOnePerson, LetsAsManyPeopleThroughAsWereMeasuredIfTheyTurnSideways)
+TEST(GateOfOnePerson, LetsAsManyHurriedPeopleThroughAsWereMeasured)
 {
     const std::string file = std::string(CLAQUE_ASSETS_DIR) + "/tracks/pedpy/040_c_56_h-.txt";
     CLAQUE_NEEDS_FILE(file);
@@ -96,10 +98,10 @@ TEST(GateOfOnePerson, LetsAsManyPeopleThroughAsWereMeasuredIfTheyTurnSideways)
     read_gate(file, people, measured_s);
     ASSERT_EQ(people.size(), 75u);
     ASSERT_EQ(measured_s.size(), 75u);
-    const std::vector<double> slim = walked(people, 0.16f), wide = walked(people, clq_walker_def_init().radius_m);
+    const std::vector<double> slim = walked(people, CLQ_HURRIED_RADIUS_M), wide = walked(people, 0.22f);
     const double measured = rate_of(measured_s);
-    std::printf("gate of %g m: bodies of 0.16 m %.2f people a second, of 0.22 m %.2f, %.2f were measured\n", gate_m,
-                rate_of(slim), rate_of(wide), measured);
+    std::printf("gate of %g m: bodies of %g m %.2f people a second, of 0.22 m %.2f, %.2f were measured\n", gate_m,
+                double(CLQ_HURRIED_RADIUS_M), rate_of(slim), rate_of(wide), measured);
     ASSERT_EQ(slim.size(), people.size());
     EXPECT_NEAR(rate_of(slim), measured, 0.25 * measured);
     // Bodies that do not turn nearly fill the gate. The guide says so; nobody is stuck.

@@ -157,7 +157,7 @@ TEST_F(Movement, RefusesEachNumberThatNoWalkerHas)
     const double nothing = NAN;
     expect(0.21875, 1, {double(0.05f), double(0.3f)}, {0.0499, 0.301, -1, nothing});  // its radius
     expect(0.78125, 2, {1e-3, 1e3}, {0, -1, nothing});                                // near enough
-    expect(1.28125, 2, {1e-3, 8}, {0, -1, 8.001});                                    // its speed
+    expect(1.28125, 1, {1e-3, 8}, {0, -1, 8.001});                                    // its speed
     expect(1.09375, 4, {}, {0, -1, nothing});            // its scale, which its track has too
     expect(4, 1, {0.001, 50}, {0, -1, 50.01, nothing});  // how it gathers speed
     expect(5.46875 - 8, 4, {}, {1e6, -1e6, nothing});    // where it goes, from the middle
