@@ -167,10 +167,11 @@ CLQ_API clq_status clq_find_passings(clq_context *context, const clq_track_def *
 /* Creates a track. A person stands from a speed below 0.10 m/s to one above 0.25 m/s, for 0.6 s or more: position and
  * heading are then frozen and an idle clip plays; steps in between carry the person along if it drifts by 0.25 m, or
  * by 0.4 m/s times smooth_s if that is less (0.08 m at least). Slow people take short steps, first of the slow walk,
- * then blended with standing; from 1.35 times the walk's own speed on the run is blended in. The heading is that of the points or follows the path; it is held below 0.25 m/s and turns by
- * at most 3.1 radians a second. Head and neck look where the heading will be half a second later, by up to 63 degrees
- * from the body; what control mechanisms write of them (claque/behave.h) is added. While a foot carries weight, a
- * two-bone mechanism of the leg holds it where it stands.
+ * then blended with standing; from 1.35 times the walk's own speed on the run is blended in. The heading is that of
+ * the points or follows the path; it is held below 0.25 m/s and turns by at most 3.1 radians a second. Head and neck
+ * look where the heading will be half a second later, by up to 63 degrees from the body; what control mechanisms write
+ * of them (claque/behave.h) is added. While a foot carries weight, a two-bone mechanism of the leg holds it where it
+ * stands.
  *   def   copied
  *   out   owned by the host until clq_track_destroy
  * Fails: STRUCT_SIZE, ARGUMENT (names the first bad point), LIMIT (10^6 s), CALLBACK (`ground` threw), OUT_OF_MEMORY.
