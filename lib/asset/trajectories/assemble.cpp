@@ -84,13 +84,13 @@ double rate_of(const Reading &reading, const TrajectoryOptions &options)
 void demand(const Reading &reading, const TrajectoryOptions &options, double rate, double unit)
 {
     std::string lacks, wants;
-    const auto add = [&](const char *what, const char *member) {
-        lacks += std::string(lacks.empty() ? "" : ", ") + what;
-        wants += std::string(wants.empty() ? "" : ", ") + member;
+    const auto add = [&](const char *what, const char *option) {
+        lacks += std::string(lacks.empty() ? "" : " and ") + what;
+        wants += std::string(wants.empty() ? "" : " and ") + option;
     };
-    if (rate == 0) add("the rate of its frames", "rate_hz (--rate)");
-    if (unit == 0) add("the unit of its coordinates", "metres_per_unit (--unit)");
-    if (reading.asks_up && options.up == CLQ_UP_OF_FILE) add("which axis is up", "up (--up)");
+    if (rate == 0) add("the rate of its frames", "--rate (rate_hz)");
+    if (unit == 0) add("the unit of its coordinates", "--unit (metres_per_unit)");
+    if (reading.asks_up && options.up == CLQ_UP_OF_FILE) add("which axis is up", "--up (up)");
     if (!lacks.empty()) fail(CLQ_ARGUMENT, "the file does not say %s: give %s", lacks.c_str(), wants.c_str());
 }
 

@@ -112,8 +112,8 @@ clq_trajectory_format detect(const TrajectoryInput &input, const TrajectoryOptio
     const Head head = head_of(input.text().substr(0, looked_at));
     if (head.first.empty()) fail(CLQ_FORMAT, "the file has no rows");
     fail(CLQ_ARGUMENT,
-         "the format is not known: give format, or for a table its columns (--columns id,frame,x,y); the "
-         "first row is %s",
+         "the format is not known: for a table give --columns id,frame,x,y (columns), --unit m (metres_per_unit) and, "
+         "unless its times are in seconds, --rate 25 (rate_hz); the first row is %s",
          in_quotes(head.first).c_str());
 }
 

@@ -187,8 +187,8 @@ void split_into_people(Reading &reading, const TrajectoryOptions &options, Traje
     Splitter(reading, options, out).split();
     if (out.people.empty())
         base::fail(CLQ_ARGUMENT,
-                   "no person has a sample from %g to %g s: start_s and end_s choose other times, and vehicles "
-                   "(--vehicles) reads vehicles too",
+                   "no person has a sample from %g to %g s: --vehicles (vehicles) reads vehicles too, and start_s "
+                   "and end_s choose other times",
                    options.start_s, options.end_s);
 }
 

@@ -76,11 +76,11 @@ Columns named_by_caller(const std::string &text)
     for (int i = 0; i < static_cast<int>(names.count()); ++i)
         for (const auto &[name, place] : known) {
             if (names[i] != name) continue;
-            if (*place >= 0) fail(CLQ_ARGUMENT, "columns (--columns) names %s twice: '%.200s'", name, text.c_str());
+            if (*place >= 0) fail(CLQ_ARGUMENT, "--columns (columns) names %s twice: '%.200s'", name, text.c_str());
             *place = i;
         }
     if (!columns.complete() || (columns.frame >= 0 && columns.time >= 0))
-        fail(CLQ_ARGUMENT, "columns (--columns) has to name id, x, y, and frame or time: '%.200s'", text.c_str());
+        fail(CLQ_ARGUMENT, "--columns (columns) has to name id, x, y, and frame or time: '%.200s'", text.c_str());
     return columns;
 }
 
@@ -108,7 +108,7 @@ void read_obsmat(const TrajectoryInput &input, const TrajectoryOptions &, Readin
 void read_table(const TrajectoryInput &input, const TrajectoryOptions &options, Reading &reading)
 {
     if (options.columns.empty())
-        fail(CLQ_ARGUMENT, "a table is read by its columns: give columns (--columns id,frame,x,y)");
+        fail(CLQ_ARGUMENT, "a table is read by its columns: give --columns id,frame,x,y (columns)");
     Columns columns = named_by_caller(options.columns);
     Lines lines(input.text());
     reading.unit_m = 0;

@@ -139,12 +139,12 @@ void read_vsp(const TrajectoryInput &input, const TrajectoryOptions &options, Re
         const std::optional<std::string> text = input.beside ? input.beside() : std::nullopt;
         if (!text)
             fail(CLQ_ARGUMENT,
-                 "the file has pixels: put H.txt beside it, or give picture_to_metres or "
-                 "metres_per_unit (--unit)");
+                 "the file has pixels: put H.txt beside it, or give --unit (metres_per_unit) or "
+                 "picture_to_metres");
         matrix = matrix_of(*text);
     }
     if (matrix && scale)
-        fail(CLQ_ARGUMENT, "both picture_to_metres and metres_per_unit (--unit) are given: one is wanted");
+        fail(CLQ_ARGUMENT, "both --unit (metres_per_unit) and picture_to_metres are given: one is wanted");
     Lines lines(input.text());
     reading.frames = true;
     reading.rate_hz = film_rate_hz;

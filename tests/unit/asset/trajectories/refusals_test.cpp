@@ -6,29 +6,31 @@ namespace claque::testing
 namespace
 {
 
-TEST(TrajectoryRefusals, WhatTheFileDoesNotSayIsAskedForByMemberAndOption)
+TEST(TrajectoryRefusals, WhatTheFileDoesNotSayIsAskedForByOptionAndMember)
 {
     const std::string archive = "1 43 79.0 774.0 183\n1 44 79.1 764.5 183\n";
-    expect_refused(archive, CLQ_ARGUMENT,
-                   "the file does not say the rate of its frames, the unit of its coordinates: give rate_hz (--rate), "
-                   "metres_per_unit (--unit)");
+    expect_refused(
+        archive, CLQ_ARGUMENT,
+        "the file does not say the rate of its frames and the unit of its coordinates: give --rate (rate_hz) "
+        "and --unit (metres_per_unit)");
     asset::TrajectoryOptions options;
     options.rate_hz = 16;
-    expect_refused(archive, CLQ_ARGUMENT, "does not say the unit of its coordinates: give metres_per_unit (--unit)",
+    expect_refused(archive, CLQ_ARGUMENT, "does not say the unit of its coordinates: give --unit (metres_per_unit)",
                    options);
     expect_refused("# framerate: 25 fps\n# id frame x y z\n1 0 1 2 3\n", CLQ_OK, "read");
     expect_refused("# PeTrack project\n# framerate: 25 fps\n# id frame x y z\n1 0 1 2 3\n", CLQ_ARGUMENT,
-                   "give metres_per_unit (--unit)");
-    expect_refused("a 1 2 3 4\n", CLQ_ARGUMENT, "does not say which axis is up: give up (--up)",
+                   "give --unit (metres_per_unit)");
+    expect_refused("a 1 2 3 4\n", CLQ_ARGUMENT, "does not say which axis is up: give --up (up)",
                    of_table("id,frame,x,y,z", 1, 1));
     expect_refused("a 1 2 3\n", CLQ_ARGUMENT, "the unit of its coordinates", of_table("id,time,x,y", 0, 0));
-    expect_refused("1 5 0 0 0 0 0 0\n2 6 0 0 0 0 0 0\n", CLQ_ARGUMENT, "give rate_hz (--rate)");
-    expect_refused("{\"track\": {\"f\": 1, \"p\": 1, \"x\": 0, \"y\": 1}}\n", CLQ_ARGUMENT, "give rate_hz (--rate)");
+    expect_refused("1 5 0 0 0 0 0 0\n2 6 0 0 0 0 0 0\n", CLQ_ARGUMENT, "give --rate (rate_hz)");
+    expect_refused("{\"track\": {\"f\": 1, \"p\": 1, \"x\": 0, \"y\": 1}}\n", CLQ_ARGUMENT, "give --rate (rate_hz)");
     expect_refused("1 - the number of splines\n1\n0 0 0 0\n", CLQ_ARGUMENT,
-                   "put H.txt beside it, or give picture_to_metres or metres_per_unit (--unit)");
-    expect_refused("name,speed\na,3\n", CLQ_ARGUMENT,
-                   "give format, or for a table its columns (--columns id,frame,x,y); the first row is "
-                   "'name,speed'");
+                   "put H.txt beside it, or give --unit (metres_per_unit) or picture_to_metres");
+    expect_refused(
+        "name,speed\na,3\n", CLQ_ARGUMENT,
+        "for a table give --columns id,frame,x,y (columns), --unit m (metres_per_unit) and, unless its times "
+        "are in seconds, --rate 25 (rate_hz); the first row is 'name,speed'");
 }
 
 TEST(TrajectoryRefusals, OfAFileWithoutPeopleNameTheOptionThatReadsOthers)
@@ -36,7 +38,7 @@ TEST(TrajectoryRefusals, OfAFileWithoutPeopleNameTheOptionThatReadsOthers)
     asset::TrajectoryOptions late = of_table("id,time,x,y", 1, 1);
     late.start_s = 100;
     expect_refused("a 1 2 3\n", CLQ_ARGUMENT,
-                   "from 100 to inf s: start_s and end_s choose other times, and vehicles (--vehicles) reads", late);
+                   "from 100 to inf s: --vehicles (vehicles) reads vehicles too, and start_s and end_s choose", late);
 }
 
 TEST(TrajectoryRefusals, ColumnsThatDoNotMakeATableAreNamed)
@@ -46,7 +48,7 @@ TEST(TrajectoryRefusals, ColumnsThatDoNotMakeATableAreNamed)
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "names x twice", of_table("id,frame,x,x,y"));
     asset::TrajectoryOptions options;
     options.format = CLQ_TRAJECTORY_TABLE;
-    expect_refused("1 2 3\n", CLQ_ARGUMENT, "give columns (--columns id,frame,x,y)", options);
+    expect_refused("1 2 3\n", CLQ_ARGUMENT, "give --columns id,frame,x,y (columns)", options);
 }
 
 TEST(TrajectoryRefusals, RowsThatAreNoneAreNamedByLine)
