@@ -74,6 +74,12 @@ uint32_t Ids::add(std::string_view id)
     return number;
 }
 
+void Ids::shorten(uint32_t number, size_t bytes)
+{
+    const std::string_view rest = known_[number].substr(bytes);
+    if (numbers_.count(rest) == 0) known_[number] = rest;
+}
+
 const char *Ids::keep(std::string_view text)
 {
     budget_->charge(text.size() + 1, "an id");

@@ -24,6 +24,8 @@ public:
     uint32_t number_of(std::string_view id);
     uint32_t count() const { return static_cast<uint32_t>(known_.size()); }
     const char *text(uint32_t number) const { return known_[number].data(); }
+    // Leaves out the first bytes of an id, unless another id is the rest. number_of still takes the whole.
+    void shorten(uint32_t number, size_t bytes);
 
     // Keeps a text that gets no number, ended by 0.
     const char *keep(std::string_view text);

@@ -16,6 +16,9 @@ using base::fail;
 namespace
 {
 
+// Sets ids of vehicles apart from those of people.
+constexpr std::string_view vehicle_mark = "vehicle ";
+
 class FcdReader : public XmlHandler
 {
 public:
@@ -99,7 +102,7 @@ private:
         row.heading_rad = waits ? NAN : heading_of_degrees(90 - std::fmod(angle, 360.0));
         row.flags = vehicle ? CLQ_TRAJECTORY_VEHICLE : vehicle_depth_ ? CLQ_TRAJECTORY_RIDES : 0;
         ++reading_.rows.read;
-        row.person = reading_.rows.ids.number_of(vehicle ? "vehicle " + std::string(id) : std::string(id));
+        row.person = reading_.rows.ids.number_of((vehicle ? std::string(vehicle_mark) : "") + id);
         const size_t before = reading_.rows.all.size();
         reading_.rows.add(row);
         if (!vehicle && reading_.rows.all.size() > before) speeds_.push_back({before, speed});
@@ -133,6 +136,12 @@ void read_sumo(const TrajectoryInput &input, const TrajectoryOptions &options, R
 {
     FcdReader reader(options, reading);
     read_xml(input.bytes, input.size, reading.budget, reader);
+    std::vector<bool> known(reading.rows.ids.count());
+    for (const Row &row : reading.rows.all) {
+        if (!(row.flags & CLQ_TRAJECTORY_VEHICLE) || known[row.person]) continue;
+        known[row.person] = true;
+        reading.rows.ids.shorten(row.person, vehicle_mark.size());
+    }
 }
 
 }  // namespace claque::asset

@@ -173,7 +173,21 @@ TEST(TrajectoryQuirks, PeopleInAVehicleAreAnotherPersonAfterIt)
     EXPECT_EQ(ids_of(read_text(text + "</fcd-export>")), "p:2 p#2:2 ");
     asset::TrajectoryOptions options;
     options.vehicles = true, options.max_gap_s = HUGE_VAL;
-    EXPECT_EQ(ids_of(read_text(text + "</fcd-export>", options)), "p:2 p#2:2 p#3:2 vehicle v:6 ");
+    EXPECT_EQ(ids_of(read_text(text + "</fcd-export>", options)), "p:2 p#2:2 p#3:2 v:6 ");
+}
+
+TEST(TrajectoryQuirks, AVehicleHasItsOwnIdUnlessAPersonHasItToo)
+{
+#ifndef CLAQUE_HAS_EXPAT
+    GTEST_SKIP() << "this build has no expat";
+#endif
+    const std::string at = " x=\"0\" y=\"0\" speed=\"1\" angle=\"90\"/>";
+    const std::string text = "<fcd-export><timestep time=\"0\"><vehicle id=\"both\"" + at + "<vehicle id=\"bus\"" + at +
+                             "<person id=\"both\"" + " x=\"5\" y=\"0\" speed=\"1\" angle=\"90\"/>" +
+                             "</timestep></fcd-export>";
+    asset::TrajectoryOptions options;
+    options.vehicles = true;
+    EXPECT_EQ(ids_of(read_text(text, options)), "vehicle both:1 bus:1 both:1 ");
 }
 
 TEST(TrajectoryQuirks, AStandingPersonOfSumoHasNoHeading)

@@ -97,7 +97,7 @@ TEST(WrittenTrajectories, OfVehiclesAreReadOnRequest)
         options.max_speed_m_s = 4;  // of people
         const asset::Trajectories read = read_bytes(file.bytes, options);
         ASSERT_EQ(read.people.size(), 4u) << all_warnings(read);
-        EXPECT_STREQ(read.people[0].id, "vehicle car");
+        EXPECT_STREQ(read.people[0].id, "car");
         EXPECT_EQ(read.samples[0].flags, CLQ_TRAJECTORY_VEHICLE);
         EXPECT_STREQ(read.people[1].id, "rider");
         EXPECT_EQ(read.samples[read.people[1].first].flags, CLQ_TRAJECTORY_RIDES);
