@@ -43,6 +43,27 @@ def test_a_record_shows_what_was_shown(context, citizen, tmp_path):
             assert len(again) == 2
 
 
+def test_a_record_says_where_its_people_were(context, citizen, tmp_path):
+    path = tmp_path / "run.clt"
+    with claque.Crowd(context) as crowd:
+        crowd.record(path)
+        walker, gone = crowd.add(citizen, (-1, 0, 0)), crowd.add(citizen, (3, 0, 5))
+        for step in range(41):
+            walker.set_transform((-1 + 0.2 * step, 0, 0))
+            if step == 10:
+                gone.remove()
+            if step == 30:
+                assert crowd.add(citizen, (-7, 0, -2.5)).id.index1 == 2, "the number is used again"
+            crowd.update(0.1 * step)
+    with claque.Record.load(context, path, [citizen]) as record, record.trajectories(10) as read:
+        shown = {name: samples for name, samples in read.people}
+        assert sorted(shown) == ["1", "2", "3"]
+        assert shown["1"]["time_s"] == pytest.approx([0.1 * step for step in range(41)])
+        assert shown["1"]["x"] == pytest.approx([-1 + 0.2 * step for step in range(41)], abs=1e-4)
+        assert len(shown["2"]) == 10 and set(shown["2"]["y"]) == {-5}
+        assert shown["3"]["time_s"][0] == pytest.approx(3) and set(shown["3"]["y"]) == {2.5}
+
+
 def test_a_crowd_that_is_closed_ends_its_record(context, citizen, tmp_path):
     path = tmp_path / "run.clt"
     with claque.Crowd(context) as crowd:
