@@ -167,7 +167,7 @@ void FrameCrew::State::draw_tiles(const std::vector<Frame> &frames, const Done &
         if (index + 1 < frames.size()) give(index + 1);
         const uint8_t *rgb = pages.data() + index % 2 * stride;
         report["picture_hash"] = hex(scenes::hash_of(rgb, stride));
-        const std::vector<unsigned char> bytes = frame_bytes(frames[index], rgb, options, *subject);
+        const std::vector<unsigned char> bytes = frame_bytes(arguments, frames[index], rgb, options, *subject);
         done(index, report, bytes.data(), bytes.size());
     }
 }

@@ -90,18 +90,20 @@ const std::vector<uint8_t> &FrameDrawer::draw(const Frame &frame, const processe
     return draw(frame, report);
 }
 
-std::vector<unsigned char> frame_bytes(const Frame &frame, const uint8_t *rgb, const scenes::SceneOptions &options,
-                                       const Subject &subject)
+std::vector<unsigned char> frame_bytes(const RenderArguments &a, const Frame &frame, const uint8_t *rgb,
+                                       const scenes::SceneOptions &options, const Subject &subject)
 {
     const size_t size = 3 * static_cast<size_t>(options.width) * static_cast<size_t>(options.height);
     if (frame.path == "-") return {rgb, rgb + size};
     char time[32];
     std::snprintf(time, sizeof time, "%.6g", frame.time_s);
-    return io::png(rgb, options.width, options.height,
-                   {{"Software", "claque " + version()},
-                    {"Description", options.scene + ", " + std::to_string(subject.count) + " individuals, seed " +
-                                        std::to_string(options.crowd_options.seed) + ", time " + time + " s"},
-                    {"Source", subject.context}});
+    io::Words words = {{"Software", "claque " + version()},
+                       {"Description", options.scene + ", " + std::to_string(subject.count) + " individuals, seed " +
+                                           std::to_string(options.crowd_options.seed) + ", time " + time + " s"},
+                       {"Source", subject.context}};
+    const std::string settings = frame_settings(a, frame);
+    if (!settings.empty()) words.emplace_back(settings_keyword, settings);
+    return io::png(rgb, options.width, options.height, words);
 }
 
 Json frame_report(const Frame &frame)

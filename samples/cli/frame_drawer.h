@@ -36,6 +36,7 @@ public:
 
     scenes::SceneRenderer &scene_renderer() { return *scene_renderer_; }
     const scenes::SceneOptions &options() const { return options_; }
+    const RenderArguments &arguments() const { return arguments_; }
     std::vector<std::string> warnings() const { return library_.warnings(); }
 
 private:
@@ -49,8 +50,8 @@ private:
 };
 
 // The bytes of a frame's file: a PNG that says what it shows, or its bare pixels for standard output.
-std::vector<unsigned char> frame_bytes(const Frame &frame, const uint8_t *rgb, const scenes::SceneOptions &options,
-                                       const Subject &subject);
+std::vector<unsigned char> frame_bytes(const RenderArguments &arguments, const Frame &frame, const uint8_t *rgb,
+                                       const scenes::SceneOptions &options, const Subject &subject);
 // What a report says of any frame first.
 Json frame_report(const Frame &frame);
 

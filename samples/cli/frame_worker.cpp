@@ -35,7 +35,8 @@ processes::Reply FrameWorker::draw_frame(const Frame &frame, size_t at)
     Json report;
     const std::vector<uint8_t> &rgb = drawer_.draw(frame, report);
     drawer_.add_hashes(rgb, report);
-    const std::vector<unsigned char> file = frame_bytes(frame, rgb.data(), drawer_.options(), drawer_.subject());
+    const std::vector<unsigned char> file =
+        frame_bytes(drawer_.arguments(), frame, rgb.data(), drawer_.options(), drawer_.subject());
     if (file.size() > place_bytes_) throw scenes::Failure("a picture takes more memory than processes share");
     std::copy(file.begin(), file.end(), pages_ + at);
     return {Json{{"report", report}, {"bytes", file.size()}}.dump(), {at, file.size(), 1, 0}};

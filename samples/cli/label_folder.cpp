@@ -4,6 +4,7 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/provenance.h"
+#include "samples/cli/scene_about.h"
 #include "samples/io/files.h"
 #include "samples/io/json.h"
 #include "samples/labels/frame_files.h"
@@ -23,20 +24,6 @@ labels::Json read_json(const fs::path &path)
     if (!fs::is_regular_file(path, none)) return {};
     std::string problem;
     return io::parse_json<labels::Json>(text_of(path.string()), problem);
-}
-
-// "/scene/hour is 8 there and 9 here".
-std::string difference(const labels::Json &there, const labels::Json &here)
-{
-    const labels::Json a = there.flatten(), b = here.flatten();
-    const auto word = [](const labels::Json &all, const std::string &key) {
-        return all.contains(key) ? all[key].dump() : std::string("missing");
-    };
-    for (const labels::Json &all : {b, a})
-        for (const auto &one : all.items())
-            if (word(a, one.key()) != word(b, one.key()))
-                return one.key() + " is " + word(a, one.key()) + " there and " + word(b, one.key()) + " here";
-    return "their order differs";
 }
 
 // Of all but the hash itself.

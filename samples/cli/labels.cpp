@@ -20,7 +20,7 @@ void choose_record(const CLI::App &command, LabelArguments &a)
     refuse_reading_options(command);
     const scenes::walkers::ReplayOptions replay = {
         a.tracks.file, walkers_of(a.tracks, a.setup.of_file.placement).characters, followed_by(a.setup.camera)};
-    if (!replay.follow.empty()) a.setup.camera = "overview";
+    if (!replay.follow.empty()) a.tracks.camera = a.setup.camera, a.setup.camera = "overview";
     if (a.setup.shadows == "painted") a.setup.shadows = "blob";  // painted shadows need people known in advance
     a.setup.make = [replay](scenes::Library &library, const scenes::CrowdOptions &crowd_options) {
         return scenes::walkers::make_replay(library, crowd_options, replay);

@@ -5,6 +5,7 @@
 #include "samples/cli/progress.h"
 #include "samples/cli/render_work.h"
 #include "samples/cli/run_record.h"
+#include "samples/cli/scene_about.h"
 #include "samples/cli/track_arguments.h"
 #include "samples/cli/work_share.h"
 #include "samples/scenes/walkers/replay.h"
@@ -148,8 +149,13 @@ void add_play(CLI::App &app, Work &chosen)
             if (*record) (void)(*record)->end();
         };
         check_picture_usage(*a);
-        chosen = [a, tracks, whole, record] {
+        chosen = [a, tracks, whole, played, record] {
             if (whole) take_all_frames(*a, *tracks);
+            if (!a->frames.empty() || !a->manifest.empty())
+                a->setup.made_of = {{"file", played ? record_about(tracks->file) : file_about(tracks->file)},
+                                    {"ground", file_about(tracks->area)},
+                                    {"camera", tracks->camera},
+                                    {"tracks", tracks_about(*tracks)}};
             try {
                 render(*a);
             } catch (...) {

@@ -122,7 +122,7 @@ void Rendering::draw_alone()
         Json report = frame_report(frames_[i]);
         const std::vector<uint8_t> &rgb = drawer_->draw(frames_[i], report);
         drawer_->add_hashes(rgb, report);
-        const std::vector<unsigned char> bytes = frame_bytes(frames_[i], rgb.data(), options_, subject());
+        const std::vector<unsigned char> bytes = frame_bytes(a_, frames_[i], rgb.data(), options_, subject());
         keep(i, std::move(report), bytes.data(), bytes.size());
     }
 }
@@ -164,11 +164,14 @@ void Rendering::run()
 
 }  // namespace
 
-void render(const RenderArguments &a)
+void render(const RenderArguments &given)
 {
+    RenderArguments a = given;
     expect_writable(frame_path(a.out, 0));
     if (!a.json.empty()) expect_writable(a.json);
     if (!a.manifest.empty()) expect_writable(a.manifest);
+    const LoadedCharacter none;
+    if (!a.frames.empty() && a.out != "-") a.scene = film_scene(a, scene_options(a.setup, none));
     share_work([&a](processes::Ranks *ranks) { Rendering(a, ranks).run(); },
                [&a](processes::Ranks &ranks) { FrameCrew::serve(a, ranks); });
 }

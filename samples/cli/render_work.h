@@ -27,6 +27,7 @@ struct RenderArguments {
     int processes = 0;                    // 0: one, or as many as a scheduler gave cores
     std::string divide;                   // frames or tiles; empty: frames of a sequence, tiles of a single picture
     uint32_t samples = 1;                 // pictures that are averaged into one
+    Json scene;                           // what the files of a sequence depend on (film_about.h); null: there are none
     std::function<void()> drawn = [] {};  // called when all frames are drawn
 };
 

@@ -27,8 +27,9 @@ struct SceneArguments {
     std::string colours;                                // likewise; empty: the scene's own
     std::string mechanisms;                             // the folder of --allow-mechanisms; empty: not given
     std::shared_ptr<const scenes::Scenario> described;  // the scenario, once it is read
-    // People on tracks in place of the scenes above (track_arguments.h).
+    // People on tracks in place of the scenes above (track_arguments.h), and what they depend on.
     MakeScene make;
+    Json made_of;
     std::string camera;  // empty: not given
     std::string context = "any", format = "rgba8888";
     std::string strategy = "fused", cache = "full", filter = "nearest";

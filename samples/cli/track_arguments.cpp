@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "samples/cli/files.h"
+#include "samples/cli/scene_about.h"
 #include "samples/io/ending.h"
 #include "samples/scenes/scenario/tracks.h"
 #include "samples/scenes/walkers/cast.h"
@@ -193,11 +194,14 @@ Json tracks_about(const TrackArguments &a)
                   {"up", a.up},
                   {"max_speed_m_s", a.max_speed_m_s},
                   {"vehicles", a.vehicles},
-                  {"characters", a.characters}};
+                  {"characters", Json::array()}};
+    for (const std::string &name : names_in(a.characters)) about["characters"].push_back(file_about(name));
     if (!a.limbs.legs.empty()) about["legs"] = a.limbs.legs;
     if (!a.gaits.walk.empty()) about["walk"] = a.gaits.walk;
     if (!a.gaits.idles.empty()) about["idle"] = a.gaits.idles;
-    for (const std::string &file : a.clips.files) about["clips"].push_back(file);
+    for (const std::string &file : a.clips.files) about["clips"].push_back(file_about(file));
+    if (!a.clips.map.empty()) about["map"] = file_about(a.clips.map);
+    if (!followed_by(a.camera).empty()) about["follow"] = followed_by(a.camera);
     for (const std::string &name : {a.limbs.torso, a.limbs.neck, a.limbs.head})
         if (!name.empty()) about["limbs"].push_back(name);
     return about;

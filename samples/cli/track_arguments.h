@@ -37,7 +37,7 @@ scenes::walkers::Options walkers_of(const TrackArguments &arguments, const scene
 bool names_trajectories(const std::string &subject);
 // A scenario of the people in the file alone.
 std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &arguments, const scenes::Placement &placed);
-// How the file is read and what walks, for manifests.
+// How the file is read, what walks and what the camera follows, for manifests.
 Json tracks_about(const TrackArguments &arguments);
 
 }  // namespace cli

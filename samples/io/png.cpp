@@ -94,14 +94,31 @@ std::vector<unsigned char> quick_png(const std::vector<uint16_t> &values, int wi
     return written({bytes.data(), width, height, channels, 16, 3}, {});
 }
 
-bool is_whole_png(const std::string &path, int width, int height)
+std::string text_in_png(const std::string &path, const std::string &keyword)
+{
+    constexpr uint32_t longest = 1 << 20;
+    const RegularFile file(path, most_file_bytes);
+    unsigned char head[8];
+    if (!file.wrong().empty() || !file.read(0, head, sizeof head) || png_sig_cmp(head, 0, 8) != 0) return {};
+    uint32_t size = 0;
+    for (uint64_t at = 8; file.read(at, head, sizeof head) && std::memcmp(head + 4, "IDAT", 4) != 0; at += 12 + size) {
+        size = big_endian(head);
+        if (std::memcmp(head + 4, "tEXt", 4) != 0 || size <= keyword.size() || size > longest) continue;
+        std::string chunk(size, 0);
+        if (!file.read(at + sizeof head, chunk.data(), size)) return {};
+        if (chunk.compare(0, keyword.size() + 1, keyword.c_str(), keyword.size() + 1) == 0)
+            return chunk.substr(keyword.size() + 1);
+    }
+    return {};
+}
+
+bool is_whole_png(const std::string &path)
 {
     const RegularFile file(path, most_file_bytes);
-    unsigned char head[24], tail[12];
-    if (!file.wrong().empty() || file.size() < sizeof head) return false;
+    unsigned char head[8], tail[12];
+    if (!file.wrong().empty() || file.size() < sizeof head + sizeof tail) return false;
     if (!file.read(0, head, sizeof head) || !file.read(file.size() - sizeof tail, tail, sizeof tail)) return false;
-    return png_sig_cmp(head, 0, 8) == 0 && big_endian(head + 16) == static_cast<uint32_t>(width) &&
-           big_endian(head + 20) == static_cast<uint32_t>(height) && std::memcmp(tail + 4, "IEND", 4) == 0;
+    return png_sig_cmp(head, 0, 8) == 0 && std::memcmp(tail + 4, "IEND", 4) == 0;
 }
 
 }  // namespace io

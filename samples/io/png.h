@@ -20,7 +20,10 @@ std::vector<unsigned char> png(const uint8_t *rgb, int width, int height, const 
 std::vector<unsigned char> quick_png(const std::vector<uint8_t> &values, int width, int height, int channels);
 std::vector<unsigned char> quick_png(const std::vector<uint16_t> &values, int width, int height, int channels);
 
-// Returns true if `path` is a complete PNG file of this size.
-bool is_whole_png(const std::string &path, int width, int height);
+// The text that `path`, a PNG file, has for a keyword before its pixels; "": none.
+std::string text_in_png(const std::string &path, const std::string &keyword);
+
+// Returns true if `path` is a complete PNG file.
+bool is_whole_png(const std::string &path);
 
 }  // namespace io

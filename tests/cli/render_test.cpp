@@ -27,30 +27,42 @@ TEST_F(Render, APictureIsAPngOfTheSizeThatWasAskedFor)
     EXPECT_EQ(left(), (std::vector<std::string>{"a.png"}));
 }
 
-TEST_F(Render, TheSameFrameAloneAndInASequenceHasTheSameBytes)
+TEST_F(Render, TheSameFrameAloneAndInASequenceHasTheSamePixels)
 {
     render({"--frames", "0:6", "--stride", "3", "--out", path("s-%05d.png")});
     EXPECT_EQ(left(), (std::vector<std::string>{"s-00000.png", "s-00003.png", "s-00006.png"}));
     render({"--time", "0.24", "--out", path("alone.png")});
-    EXPECT_EQ(file_text(path("alone.png")), file_text(path("s-00006.png")));
-    EXPECT_NE(file_text(path("s-00000.png")), file_text(path("s-00006.png")));
+    // Frames have their settings too.
+    const auto from_pixels_on = [&](const std::string &file) {
+        const std::string png = file_text(path(file));
+        return png.substr(png.find("IDAT"));
+    };
+    EXPECT_EQ(from_pixels_on("alone.png"), from_pixels_on("s-00006.png"));
+    EXPECT_NE(from_pixels_on("s-00000.png"), from_pixels_on("s-00006.png"));
 }
 
 TEST_F(Render, ASequenceSkipsWhatIsFinishedAndMendsWhatIsNot)
 {
     render({"--frames", "0:2", "--out", path("s-%05d.png")});
     const std::string first = file_text(path("s-00000.png")), last = file_text(path("s-00002.png"));
-    // A complete frame stays although it is another picture; a truncated one is drawn again.
-    std::filesystem::copy_file(path("s-00002.png"), path("s-00000.png"),
-                               std::filesystem::copy_options::overwrite_existing);
+    // A complete frame stays; a truncated one is drawn again.
     std::ofstream(path("s-00001.png"), std::ios::binary) << last.substr(0, last.size() / 2);
     std::filesystem::remove(path("s-00002.png"));
     render({"--frames", "0:2", "--out", path("s-%05d.png"), "--json", path("s.json")});
-    EXPECT_EQ(file_text(path("s-00000.png")), last);
+    EXPECT_EQ(file_text(path("s-00000.png")), first);
     EXPECT_EQ(file_text(path("s-00002.png")), last);
     const Json report = Json::parse(file_text(path("s.json")));
     EXPECT_EQ(report["skipped"], Json({0}));
     EXPECT_EQ(report["frames"].size(), 2u);
+    // A complete frame of another time is refused.
+    std::filesystem::copy_file(path("s-00002.png"), path("s-00000.png"),
+                               std::filesystem::copy_options::overwrite_existing);
+    const Outcome other =
+        claque({"render", "--count", "30", "--size", "96x72", "--frames", "0:2", "--out", path("s-%05d.png")});
+    EXPECT_EQ(other.code, 1);
+    EXPECT_NE(other.err.find("s-00000.png is a picture of other settings: /time_s is 0.08 there and 0.0 here"),
+              std::string::npos)
+        << other.err;
     render({"--frames", "0:2", "--again", "--out", path("s-%05d.png")});
     EXPECT_EQ(file_text(path("s-00000.png")), first);
 }

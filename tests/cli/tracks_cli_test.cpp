@@ -139,6 +139,49 @@ TEST_F(PlayCommand, DrawsTheWholeFileAndGoesOnWhereItEnded)
     EXPECT_EQ(report["skipped"].size(), 10u);
 }
 
+TEST_F(PlayCommand, RefusesToGoOnWithPicturesOfOtherSettings)
+{
+    const std::vector<std::string> frames = {"--frames", "0:1", "--out", path("f-%d.png")};
+    const auto played = [&](const std::vector<std::string> &more) {
+        std::vector<std::string> all = frames;
+        all.insert(all.end(), more.begin(), more.end());
+        return play(all);
+    };
+    std::ofstream(path("hall.wkt")) << "POLYGON ((-6 -3, 6 -3, 6 3, -6 3, -6 -3))";
+    ASSERT_EQ(played({}).code, 0);
+    ASSERT_EQ(played({}).code, 0);
+    const auto before = file_text(path("f-1.png"));
+    const std::vector<std::pair<std::vector<std::string>, std::string>> others = {
+        {{"--camera", "close"}, "/camera is \"\" there and \"close\" here"},
+        {{"--camera", "follow:anna"}, "/camera is \"\" there and \"follow:anna\" here"},
+        {{"--seed", "7"}, "/seed is 1 there and 7 here"},
+        {{"--hour", "9"}, "/hour is 0.0 there and 9.0 here"},
+        {{"--lod", "off"}, "/levels/0 is \"on\" there and \"off\" here"},
+        {{"--ground", path("hall.wkt")}, "/ground/file is missing there"},
+        {{"--fps", "10"}, "f-1.png is a picture of other settings: /time_s is 0.04 there and 0.1 here"},
+    };
+    for (const auto &[options, sentence] : others) {
+        const Outcome refused = played(options);
+        EXPECT_EQ(refused.code, 1) << options[1];
+        EXPECT_NE(refused.err.find(sentence), std::string::npos) << options[1] << ": " << refused.err;
+        EXPECT_NE(refused.err.find("choose another --out, or draw all anew with --again"), std::string::npos);
+        EXPECT_EQ(file_text(path("f-1.png")), before);
+    }
+    write_table(path("two.csv"), 0.9);
+    const Outcome file = played({});
+    EXPECT_EQ(file.code, 1);
+    EXPECT_NE(file.err.find("/file/sha256"), std::string::npos) << file.err;
+    EXPECT_EQ(played({"--again"}).code, 0);
+    EXPECT_NE(file_text(path("f-1.png")), before);
+    EXPECT_EQ(played({}).code, 0);
+    // A picture that somebody else made.
+    std::ofstream(path("f-1.png"), std::ios::binary) << before.substr(0, 33) + before.substr(before.find("IDAT") - 4);
+    const Outcome unknown = played({});
+    EXPECT_EQ(unknown.code, 1);
+    EXPECT_NE(unknown.err.find("f-1.png is a picture that does not say how it was drawn"), std::string::npos)
+        << unknown.err;
+}
+
 TEST_F(PlayCommand, AFrameAloneIsTheFrameInTheSequence)
 {
     ASSERT_EQ(play({"--frames", "40:44", "--fps", "10", "--out", path("f-%02d.png"), "--json", path("a.json")}).code,
