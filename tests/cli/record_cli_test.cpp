@@ -86,6 +86,14 @@ TEST_F(RecordCommand, ShowsTheWholeRecordAndFollowsAnActor)
                   .code,
               0);
     EXPECT_NE(picture_of(path("one.png")).rgb, picture_of(path("all-08.png")).rgb);
+    for (const char *command : {"play", "labels"}) {
+        const Outcome nobody = claque({command, path("run.clt"), "--size", "160x120", "--frames", "8", "--camera",
+                                       "follow:4000", "--out", path("none-%d.png")});
+        EXPECT_EQ(nobody.code, 1) << command;
+        EXPECT_NE(nobody.err.find("no actor has the number 4000 that the camera is to follow; there are: 1, 2"),
+                  std::string::npos)
+            << nobody.err;
+    }
 }
 
 TEST_F(RecordCommand, RefusesWhatIsNotForRecordsAndRecordsThatAreBroken)

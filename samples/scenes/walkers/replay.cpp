@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 
+#include "lib/base/near_names.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/sky.h"
@@ -18,9 +20,10 @@ namespace scenes::walkers
 namespace
 {
 
-// Where people are in some moments of a record.
+// Where people are in some moments of a record, and their numbers.
 struct Box {
     double low[3] = {HUGE_VAL, HUGE_VAL, HUGE_VAL}, high[3] = {-HUGE_VAL, -HUGE_VAL, -HUGE_VAL};
+    std::set<uint32_t> seen;
     bool empty() const { return !(low[0] <= high[0]); }
 };
 
@@ -31,7 +34,8 @@ Box box_of(Library &library, const RecordFile &file)
     Box box;
     for (int k = 0; k <= moments; ++k)
         places.at(file.info.start_s + (file.info.end_s - file.info.start_s) * k / moments,
-                  [&](clq_actor, const double *position) {
+                  [&](clq_actor actor, const double *position) {
+                      box.seen.insert(actor.index1);
                       for (int axis = 0; axis < 3; ++axis)
                           box.low[axis] = std::min(box.low[axis], position[axis]),
                           box.high[axis] = std::max(box.high[axis], position[axis]);
@@ -44,6 +48,23 @@ uint32_t number_of(const std::string &text)
     if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
         throw Failure("the camera is to follow '" + text + "': the actors of a record have numbers, from 1 on");
     return static_cast<uint32_t>(std::stoul(text));
+}
+
+// Looks through all steps for an actor that was in none of the moments.
+void expect_actor(Library &library, const RecordFile &file, uint32_t number, std::set<uint32_t> seen)
+{
+    RecordPlaces places(library, file);
+    for (uint64_t step = 0; step < file.info.step_count && seen.count(number) == 0; ++step) {
+        double time_s = 0;
+        check(clq_record_get_time(file.record.get(), step, &time_s));
+        places.at(time_s, [&](clq_actor actor, const double *) { seen.insert(actor.index1); });
+    }
+    if (seen.count(number) > 0) return;
+    std::vector<std::string> names;
+    for (const uint32_t one : seen) names.push_back(std::to_string(one));
+    const std::string name = std::to_string(number);
+    throw Failure("no actor has the number " + name + " that the camera is to follow" +
+                  claque::base::names_near(name, names));
 }
 
 clq_crowd_def def_of(const clq_record *record, const CrowdOptions &options)
@@ -70,14 +91,17 @@ public:
         check(clq_crowd_create(library.context(), &def, &made), options.file);
         crowd_.reset(made);
         Box box = box_of(library, file_);
-        if (box.empty()) box = {{-5, 0, -5}, {5, 0, 5}};
+        if (!options.follow.empty()) {
+            followed_ = number_of(options.follow);
+            expect_actor(library, file_, *followed_, box.seen);
+        }
+        if (box.empty()) box = {{-5, 0, -5}, {5, 0, 5}, {}};
         plan_.half_x = std::max(1.0, (box.high[0] - box.low[0]) / 2);
         plan_.half_z = std::max(1.0, (box.high[2] - box.low[2]) / 2);
         plan_.middle_x = (box.high[0] + box.low[0]) / 2, plan_.middle_z = (box.high[2] + box.low[2]) / 2;
         plan_.ground = box.low[1];
         lay(library, Options(), plan_, plain_.ground());
         place(file_.info.start_s);
-        if (!options.follow.empty()) followed_ = number_of(options.follow);
     }
 
     clq_crowd *crowd() const override { return crowd_.get(); }
