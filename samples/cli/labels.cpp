@@ -1,4 +1,7 @@
 // claque labels: pictures with exact labels, for training and testing what looks at pictures.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <filesystem>
 
 #include "samples/cli/command.h"
@@ -49,6 +52,25 @@ void choose_subject(const CLI::App &command, const std::string &subject, LabelAr
     if (walks && scenes::walkers::is_record(subject)) choose_record(command, a);
     else if (walks) a.setup.described = scenario_of(a.tracks, a.setup.of_file.placement);
     check_scene_usage(a.setup);
+}
+
+// Frames behind the end of a file would show nobody. Where rules choose the time, frames are numbers of samples.
+void expect_frames(const LabelArguments &a)
+{
+    const auto &tracks = a.setup.described ? a.setup.described->tracks : std::nullopt;
+    if ((!tracks && !a.setup.make) || (a.rules && a.rules->time_s)) return;
+    constexpr double instant_s = 1e-6;
+    const std::string file = tracks ? tracks->path : a.tracks.file;
+    clq_trajectories_def reading = tracks ? tracks->reading : clq_trajectories_def_init();
+    if (tracks && !tracks->columns.empty()) reading.columns = tracks->columns.c_str();
+    const ShownTimes times = scenes::asked_at(tracks ? tracks->at : "", [&] { return times_of(file, reading); });
+    const int last = *std::max_element(a.list.begin(), a.list.end());
+    const double end = (times.last_s + instant_s) * a.fps;
+    if (last <= end) return;
+    char text[80];
+    std::snprintf(text, sizeof text, " is %.0f at %g frames a second", std::floor(end), a.fps);
+    throw CLI::ValidationError("--frames",
+                               "ends at " + std::to_string(last) + ", and the last frame of " + file + text);
 }
 
 }  // namespace
@@ -129,7 +151,10 @@ void add_labels(CLI::App &app, Work &chosen)
         }
         if (a->rules && a->formats.count("mot") != 0)
             throw CLI::ValidationError("--write", "mot is about the frames of a film, and --vary makes samples");
-        chosen = [a] { label(*a); };
+        chosen = [a] {
+            expect_frames(*a);
+            label(*a);
+        };
     });
 }
 

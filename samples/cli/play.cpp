@@ -21,27 +21,15 @@ namespace
 // The whole file, if neither a time nor frames are given.
 void take_all_frames(RenderArguments &a, const TrackArguments &tracks)
 {
-    scenes::Library library(1);
+    constexpr double most = 999999999;
     a.whole_path = false, a.list.clear();
-    if (scenes::walkers::is_record(tracks.file)) {
-        const scenes::walkers::RecordFile file(library, tracks.file);
-        constexpr double most = 999999999;
-        if (file.info.start_s * a.fps < 0 || file.info.end_s * a.fps > most)
-            throw scenes::Failure(tracks.file + ": its clock runs from " + std::to_string(file.info.start_s) + " to " +
-                                  std::to_string(file.info.end_s) +
-                                  " s, for which there are no frame numbers: --time draws single pictures");
-        a.range.first = static_cast<int>(std::ceil(file.info.start_s * a.fps));
-        a.range.last = std::max(a.range.first, static_cast<int>(file.info.end_s * a.fps));
-        return;
-    }
-    clq_trajectories *made = nullptr;
-    const clq_trajectories_def def = reading_of(tracks);
-    scenes::check(clq_trajectories_load(library.context(), tracks.file.c_str(), &def, &made));
-    clq_trajectories_info info = clq_trajectories_info_init();
-    scenes::check(clq_trajectories_get_info(made, &info));
-    clq_trajectories_destroy(made);
-    a.range.first = 0;
-    a.range.last = static_cast<int>((info.max_s - info.min_s) * a.fps);
+    const ShownTimes times = times_of(tracks.file, reading_of(tracks));
+    if (times.first_s * a.fps < 0 || times.last_s * a.fps > most)
+        throw scenes::Failure(tracks.file + ": its clock runs from " + std::to_string(times.first_s) + " to " +
+                              std::to_string(times.last_s) +
+                              " s, for which there are no frame numbers: --time draws single pictures");
+    a.range.first = static_cast<int>(std::ceil(times.first_s * a.fps));
+    a.range.last = std::max(a.range.first, static_cast<int>(times.last_s * a.fps));
 }
 
 std::unique_ptr<scenes::Scene> make_replay(scenes::Library &library, const scenes::CrowdOptions &crowd_options,
@@ -123,6 +111,7 @@ void add_play(CLI::App &app, Work &chosen)
     c->get_option("--time")->description("Time of a single picture in seconds (default: all of FILE)")->default_str("");
     c->add_option("--record", tracks->record,
                   "Record what is drawn to this file, which `claque play` plays; draws finished frames again")
+        ->check(CLI::Validator(check_record_name, ""))
         ->type_name("FILE.clt");
     c->add_option("--scenario", a->setup.scenario,
                   "The scenario of which FILE records a run: draws its stone, doors, light and cameras")

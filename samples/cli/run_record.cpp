@@ -3,11 +3,19 @@
 #include <unistd.h>
 #include <utility>
 
+#include "samples/io/ending.h"
 #include "samples/io/files.h"
 #include "samples/scenes/check.h"
 
 namespace cli
 {
+
+std::string check_record_name(const std::string &name)
+{
+    if (io::ending_of(name) == ".clt") return "";
+    return "'" + name +
+           "' would hold a record, so its name must end in .clt; `claque play` draws it, and --out gets pictures";
+}
 
 RunRecord::RunRecord(const std::string &path) : path_(path), draft_(io::draft_of(path)), unfinished_(draft_)
 {

@@ -12,6 +12,9 @@
 namespace cli
 {
 
+// "", or a sentence that says how a record is named.
+std::string check_record_name(const std::string &name);
+
 class RunRecord
 {
 public:

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "samples/cli/command.h"
+#include "samples/cli/run_record.h"
 #include "samples/cli/stage_work.h"
 
 namespace cli
@@ -11,7 +12,9 @@ namespace
 
 void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
 {
-    c.add_option("--record", a->record, "Write the run to this file, which `claque play` shows")->type_name("FILE.clt");
+    c.add_option("--record", a->record, "Write the run to this file, which `claque play` shows")
+        ->check(CLI::Validator(check_record_name, ""))
+        ->type_name("FILE.clt");
     add_measure_options(c, a->measures);
     c.get_option("--measure")->needs(c.get_option("--record"));
     CLI::Option *frames =

@@ -9,6 +9,7 @@
 #include "samples/io/ending.h"
 #include "samples/scenes/scenario/tracks.h"
 #include "samples/scenes/walkers/cast.h"
+#include "samples/scenes/walkers/record_file.h"
 
 namespace cli
 {
@@ -158,6 +159,22 @@ scenes::walkers::Options walkers_of(const TrackArguments &a, const scenes::Place
     options.area = a.area;
     options.follow = followed_by(a.camera);
     return options;
+}
+
+ShownTimes times_of(const std::string &file, const clq_trajectories_def &reading)
+{
+    scenes::Library library(1);
+    if (scenes::walkers::is_record(file)) {
+        const scenes::walkers::RecordFile record(library, file);
+        return {record.info.start_s, record.info.end_s};
+    }
+    clq_trajectories *made = nullptr;
+    scenes::check(clq_trajectories_load(library.context(), file.c_str(), &reading, &made));
+    clq_trajectories_info info = clq_trajectories_info_init();
+    const clq_status status = clq_trajectories_get_info(made, &info);
+    clq_trajectories_destroy(made);
+    scenes::check(status);
+    return {0, info.max_s - info.min_s};
 }
 
 bool names_trajectories(const std::string &subject)

@@ -33,6 +33,13 @@ clq_trajectories_def reading_of(const TrackArguments &arguments);
 // `placed`: how characters of files are.
 scenes::walkers::Options walkers_of(const TrackArguments &arguments, const scenes::Placement &placed);
 
+// The times that a file of trajectories or a record has something for: the file's first sample is at 0, a record keeps
+// the clock of its run. Throws scenes::Failure.
+struct ShownTimes {
+    double first_s = 0, last_s = 0;
+};
+ShownTimes times_of(const std::string &file, const clq_trajectories_def &reading);
+
 // Whether a command's subject is a file of trajectories, not a scene or a character.
 bool names_trajectories(const std::string &subject);
 // A scenario of the people in the file alone.

@@ -102,8 +102,29 @@ TEST_F(LabelSubjects, AreRecordsWithTheBoxesOfTheirPeople)
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("--columns: is for files of trajectories; FILE is a record"), std::string::npos)
         << refused.err;
-    // A folder has the labels of one record.
-    std::filesystem::resize_file(path("run.clt"), std::filesystem::file_size(path("run.clt")) / 2);
+    // Nobody is there behind the end.
+    const std::vector<std::pair<std::string, std::vector<std::string>>> subjects = {
+        {"run.clt", {}}, {"two.csv", reading_}, {"two.toml", {}}};
+    for (const auto &[file, more] : subjects) {
+        std::vector<std::string> words = {"labels", path(file), "--out", path("behind"), "--size",
+                                          "96x72",  "--fps",    "10",    "--frames",     "10,31"};
+        words.insert(words.end(), more.begin(), more.end());
+        const Outcome behind = claque(words);
+        EXPECT_EQ(behind.code, 2) << file;
+        EXPECT_NE(behind.err.find("--frames: ends at 31, and the last frame of "), std::string::npos) << behind.err;
+        EXPECT_NE(behind.err.find(" is 30 at 10 frames a second"), std::string::npos) << behind.err;
+        EXPECT_FALSE(std::filesystem::exists(path("behind")));
+    }
+    // A folder has the labels of one camera and of one record.
+    const auto followed = [&](const std::string &number) {
+        return claque({"labels", path("run.clt"), "--out", path("followed"), "--size", "96x72", "--frames", "10",
+                       "--fps", "10", "--camera", "follow:" + number});
+    };
+    EXPECT_EQ(followed("1").code, 0);
+    const Outcome second = followed("2");
+    EXPECT_EQ(second.code, 1);
+    EXPECT_NE(second.err.find("/tracks/follow is \"1\" there and \"2\" here"), std::string::npos) << second.err;
+    std::filesystem::resize_file(path("run.clt"), std::filesystem::file_size(path("run.clt")) - 20);
     const Outcome other = seen("record", path("run.clt"), {});
     EXPECT_EQ(other.code, 1);
     EXPECT_NE(other.err.find("/record/sha256"), std::string::npos) << other.err;

@@ -96,6 +96,33 @@ TEST_F(RecordCommand, ShowsTheWholeRecordAndFollowsAnActor)
     }
 }
 
+TEST_F(RecordCommand, SaysHowMuchOfARecordThatWasCutOffIsShown)
+{
+    recorded();
+    const std::string bytes = file_text(path("run.clt"));
+    std::ofstream(path("cut.clt"), std::ios::binary) << bytes.substr(0, bytes.size() * 17 / 20);
+    for (const std::string file : {"run.clt", "cut.clt"})
+        for (const char *command : {"play", "labels", "tracks"}) {
+            std::vector<std::string> words = {command, path(file)};
+            if (std::string(command) != "tracks")
+                words.insert(words.end(), {"--size", "32x24", "--frames", "0", "--out", path(file + "-%d")});
+            const Outcome outcome = claque(words);
+            EXPECT_EQ(outcome.code, 0) << outcome.err;
+            const size_t at = outcome.err.find(file + " was cut off: ");
+            EXPECT_EQ(at != std::string::npos, file == "cut.clt") << command << ": " << outcome.err;
+            double seconds = 0, from = -1, to = 0;
+            if (at == std::string::npos) continue;
+            EXPECT_EQ(std::sscanf(outcome.err.c_str() + at,
+                                  "cut.clt was cut off: %lf s of the run could be read, from %lf to %lf s", &seconds,
+                                  &from, &to),
+                      3)
+                << outcome.err;
+            EXPECT_EQ(from, 0);
+            EXPECT_TRUE(to > 0 && to < 6) << outcome.err;
+            EXPECT_EQ(outcome.err.find("was cut off", at + 20), std::string::npos) << "once: " << outcome.err;
+        }
+}
+
 TEST_F(RecordCommand, RefusesWhatIsNotForRecordsAndRecordsThatAreBroken)
 {
     recorded();
@@ -110,6 +137,9 @@ TEST_F(RecordCommand, RefusesWhatIsNotForRecordsAndRecordsThatAreBroken)
         const char *says;
     } cases[] = {
         {{"play", path("changed.clt"), "--time", "1", "--out", path("a.png")}, 1, "was changed"},
+        {{"play", path("two.csv"), "--record", path("run.mp4"), "--time", "1", "--out", path("a.png")},
+         2,
+         "run.mp4' would hold a record, so its name must end in .clt"},
         {{"play", path("run.clt"), "--rate", "10", "--time", "1", "--out", path("a.png")}, 2, "FILE is a record"},
         {{"play", path("run.clt"), "--record", path("b.clt"), "--time", "1", "--out", path("a.png")},
          2,

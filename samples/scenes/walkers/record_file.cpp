@@ -1,6 +1,7 @@
 #include "samples/scenes/walkers/record_file.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstring>
 
 #include "samples/io/regular_file.h"
@@ -16,6 +17,13 @@ RecordFile::RecordFile(Library &library, const std::string &file)
     record.reset(made);
     check(clq_record_get_info(made, &info));
     if (info.step_count == 0) throw Failure(file + ": nothing was shown in this record: it has no update");
+    if (info.whole) return;
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  " was cut off: %.2f s of the run could be read, from %.2f to %.2f s; the end that says how long it "
+                  "was is gone",
+                  info.end_s - info.start_s, info.start_s, info.end_s);
+    clq_context_log(library.context(), CLQ_LOG_WARNING, (file + text).c_str());
 }
 
 bool is_record(const std::string &file)
