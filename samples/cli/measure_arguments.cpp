@@ -1,5 +1,6 @@
 #include "samples/cli/measure_arguments.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -17,7 +18,7 @@ namespace
 
 using scenes::check;
 
-bool is_table(const std::string &file) { return io::ending_of(file) == ".csv"; }
+bool is_table(const std::string &file) { return file == "-" || io::ending_of(file) == ".csv"; }
 
 std::string check_file(const std::string &file)
 {
@@ -91,7 +92,7 @@ void add_measure_options(CLI::App &command, MeasureArguments &a)
         command
             .add_option("--measure", a.files,
                         "Write how many people there are, their density, speed, least distance and crossings, a row "
-                        "for each step (CSV), or crossings over time (SVG, PNG); may repeat")
+                        "for each step (CSV; - is standard output), or crossings over time (SVG, PNG); may repeat")
             ->check(CLI::Validator(check_file, ""))
             ->type_name("FILE.csv|FILE.svg|FILE.png")
             ->allow_extra_args(false);
@@ -107,8 +108,12 @@ void add_measure_options(CLI::App &command, MeasureArguments &a)
 
 bool measures_any(const MeasureArguments &a) { return !a.files.empty(); }
 
-void check_measures(const MeasureArguments &a)
+bool is_printed(const MeasureArguments &a) { return std::count(a.files.begin(), a.files.end(), "-") > 0; }
+
+void check_measures(const MeasureArguments &a, std::initializer_list<std::string> others)
 {
+    if (std::count(a.files.begin(), a.files.end(), "-") + std::count(others.begin(), others.end(), "-") > 1)
+        throw CLI::ValidationError("--measure", "standard output takes one of the files named -");
     if (!a.line.empty()) (void)line_of(a.line);
     if (!a.area.empty() && !rectangle_of(a.area)) expect_readable(a.area);
     for (const std::string &file : a.files) {

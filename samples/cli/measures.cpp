@@ -172,8 +172,12 @@ std::string csv_of(const Measures &measures)
 charts::LineChart crossings_over_time(const Measures &measures, const std::string &file)
 {
     charts::LineChart chart;
+    const MeasurementLine &line = *measures.line;
+    char about[200];
+    std::snprintf(about, sizeof about, ", the line from (%g, %g) to (%g, %g)", line.from[0], line.from[1], line.to[0],
+                  line.to[1]);
     chart.title = "Crossings of the line";
-    chart.subtitle = file;
+    chart.subtitle = file + about;
     chart.x.title = "time in s", chart.y.title = "people";
     chart.x.from = measures.moments.front().time_s, chart.x.to = measures.moments.back().time_s;
     chart.y.from = 0;
@@ -197,6 +201,20 @@ charts::LineChart crossings_over_time(const Measures &measures, const std::strin
         chart.note = text;
     }
     return chart;
+}
+
+nlohmann::ordered_json json_of(const Measures &m)
+{
+    using Json = nlohmann::ordered_json;
+    const auto number = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+    const auto point = [](Point2 p) { return Json{p[0], p[1]}; };
+    Json out = {{"nearest_m", number(m.nearest_m)}, {"nearest_s", number(m.nearest_s)}};
+    out["area_m2"] = m.area ? Json(m.area->area_m2) : Json();
+    out["most_per_m2"] = m.area ? Json(m.most_per_m2) : Json();
+    out["line"] = m.line ? Json{point(m.line->from), point(m.line->to)} : Json();
+    out["crossed"] = m.line ? Json(m.moments.back().crossed) : Json();
+    out["first_s"] = number(m.first_s), out["last_s"] = number(m.last_s), out["flow_per_s"] = number(m.flow_per_s);
+    return out;
 }
 
 std::string told(const Measures &measures)

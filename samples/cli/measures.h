@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "samples/charts/lines.h"
 
 namespace cli
@@ -50,6 +52,7 @@ Measures measure(const clq_trajectories *trajectories, std::optional<Measurement
 
 std::string csv_of(const Measures &measures);
 charts::LineChart crossings_over_time(const Measures &measures, const std::string &file);
-std::string told(const Measures &measures);  // lines for a terminal
+nlohmann::ordered_json json_of(const Measures &measures);  // null: what was not asked for, and what nobody did
+std::string told(const Measures &measures);                // lines for a terminal
 
 }  // namespace cli

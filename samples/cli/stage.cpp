@@ -40,7 +40,7 @@ void add_outputs(CLI::App &c, const std::shared_ptr<StageArguments> &a)
 
 void check_usage(StageArguments &a)
 {
-    check_measures(a.measures);
+    check_measures(a.measures, {a.json});
     read_scenario(a.setup);
     check_scene_usage(a.setup);
     if (!a.setup.described->stage)

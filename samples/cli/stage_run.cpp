@@ -121,7 +121,7 @@ int show_all(const StageArguments &a, OpenRun &run, int first, Progress &progres
 }
 
 // As `claque tracks` measures the record.
-void measure_record(scenes::Library &library, const StageArguments &a, Progress &progress)
+Json measure_record(scenes::Library &library, const StageArguments &a, Progress &progress)
 {
     constexpr double fastest_m_s = 12;
     progress.phase("measuring");
@@ -129,7 +129,8 @@ void measure_record(scenes::Library &library, const StageArguments &a, Progress 
                                                          [&](size_t done, size_t of) { progress.step(done, of); });
     const auto trajectories = trajectories_of(library, positions, a.record, fastest_m_s);
     const Measures measures = write_measures(library, a.measures, trajectories.get(), a.setup.scenario);
-    if (a.json != "-") std::fputs(told(measures).c_str(), stdout);
+    if (a.json != "-" && !is_printed(a.measures)) std::fputs(told(measures).c_str(), stdout);
+    return json_of(measures);
 }
 
 }  // namespace
@@ -227,7 +228,7 @@ void run_stage(const StageArguments &a)
                                    {"passed", door.passed_s.size()},
                                    {"people_per_s_m", staged::flow_of(door.passed_s, door.width_m)}});
     if (a.live) report["live"] = times;
-    if (measures_any(a.measures)) measure_record(library, a, progress);
+    if (measures_any(a.measures)) report["measures"] = measure_record(library, a, progress);
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
     progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +

@@ -148,7 +148,7 @@ void run(const Arguments &a)
     if (!a.plot.empty()) expect_writable(a.plot);
     if (!a.json.empty()) expect_writable(a.json);
     if (!a.out.empty()) expect_writable(a.out);
-    check_measures(a.measures);
+    check_measures(a.measures, {a.json, a.plot});
     scenes::Library library(1);
     const scenes::walkers::Options options = walkers_of(a.tracks, a.placed);
     Tracks tracks;
@@ -167,12 +167,15 @@ void run(const Arguments &a)
     scenes::walkers::People people(library, tracks.trajectories.get(), tracks.plan, cast, a.seed);
     tracks.people = people.take([&](size_t done, size_t of) { progress.step(done, of); });
     const TracksReport report = report_of(tracks, a.tracks.file);
+    Json json = json_of(report);
     std::string measured;
-    if (measures_any(a.measures))
-        measured = told(write_measures(library, a.measures, tracks.trajectories.get(), a.tracks.file));
+    if (measures_any(a.measures)) {
+        const Measures measures = write_measures(library, a.measures, tracks.trajectories.get(), a.tracks.file);
+        measured = told(measures), json["measures"] = json_of(measures);
+    }
     if (!a.plot.empty()) write_chart(a.plot, plan_drawing(tracks, report));
-    if (!a.json.empty()) write_whole(a.json, json_of(report).dump(2) + "\n");
-    if (a.json != "-" && a.plot != "-") print(report), std::fputs(measured.c_str(), stdout);
+    if (!a.json.empty()) write_whole(a.json, json.dump(2) + "\n");
+    if (a.json != "-" && a.plot != "-" && !is_printed(a.measures)) print(report), std::fputs(measured.c_str(), stdout);
 }
 
 void check_usage(const CLI::App &command, const Arguments &a)

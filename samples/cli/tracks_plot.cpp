@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "samples/charts/frame.h"
+#include "samples/charts/theme.h"
 #include "samples/cli/tracks_report.h"
 
 namespace cli
@@ -23,11 +24,42 @@ struct PlanScale {
     charts::Point at(double x, double y) const { return {left + (x - x0) * pixels, top + (y1 - y) * pixels}; }
 };
 
-// A round length that is about a sixth of the sheet.
-double bar_length(double metres)
+// As many numbers as fit.
+charts::AxisScale axis_of(double least, double largest, double pixels)
 {
-    const double wanted = metres / 6, ten = std::pow(10, std::floor(std::log10(wanted)));
-    return wanted / ten >= 5 ? 5 * ten : wanted / ten >= 2 ? 2 * ten : ten;
+    constexpr double between_px = 60;
+    return charts::axis_scale_of(charts::Scale::linear, least, std::max(largest, least + 1),
+                                 std::max(2, std::min(12, static_cast<int>((largest - least) * pixels / between_px))),
+                                 charts::Zero::near);
+}
+
+// A frame with ticks and numbers outside of it: lines across would be taken for paths.
+void add_axes(charts::Sheet &sheet, const charts::AxisScale &x, const charts::AxisScale &y, const PlanScale &scale)
+{
+    constexpr double tick_px = 5;
+    const Paint paint = {Ink::axis, 0};
+    const charts::Point low = scale.at(x.from, y.from), high = scale.at(x.to, y.to);
+    sheet.add(Line{{low, {high.x, low.y}, high, {low.x, high.y}, low}, paint});
+    for (const double tick : x.ticks) {
+        const double at = scale.at(tick, 0).x;
+        sheet.add(Line{{{at, low.y}, {at, low.y + tick_px}}, paint});
+        sheet.add(charts::Label{{at, low.y + 18}, tick_text(x, tick), charts::Face::detail, charts::Anchor::middle});
+    }
+    double widest = 0;
+    for (const double tick : y.ticks) {
+        const std::string text = tick_text(y, tick);
+        const double at = scale.at(0, tick).y;
+        widest = std::max(widest, charts::width_of(text, charts::Face::detail));
+        sheet.add(Line{{{low.x - tick_px, at}, {low.x, at}}, paint});
+        sheet.add(charts::Label{{low.x - 8, at + 4}, text, charts::Face::detail, charts::Anchor::end});
+    }
+    sheet.add(
+        charts::Label{{(low.x + high.x) / 2, low.y + 38}, "x in m", charts::Face::detail, charts::Anchor::middle});
+    sheet.add(charts::Label{{low.x - widest - 18, (low.y + high.y) / 2},
+                            "y in m",
+                            charts::Face::detail,
+                            charts::Anchor::middle,
+                            charts::Turn::upwards});
 }
 
 void add_given(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scale, uint64_t sample_count)
@@ -81,20 +113,18 @@ charts::Drawing plan_drawing(const Tracks &tracks, const TracksReport &report)
     sheet.head(report.file, about);
     sheet.legend({{"as the file has it", {Ink::grid, 0}, charts::Fill::solid, charts::Dash::solid, 2.5},
                   {"as claque shows it", charts::series(1), charts::Fill::solid, charts::Dash::solid, 1}});
-    const double pixels = std::min((sheet.right - sheet.left) / width, max_height_px / height);
-    const double left = sheet.left + (sheet.right - sheet.left - width * pixels) / 2;
-    const PlanScale scale{report.info.box_min_m[0], report.info.box_max_m[1], pixels, left, sheet.y + 12};
+    const double room = sheet.right - sheet.left, pixels = std::min(room / width, max_height_px / height);
+    const charts::AxisScale x = axis_of(report.info.box_min_m[0], report.info.box_max_m[0], pixels),
+                            y = axis_of(report.info.box_min_m[1], report.info.box_max_m[1], pixels);
+    const double fits = std::min(room / (x.to - x.from), max_height_px / (y.to - y.from));
+    const double left = sheet.left + (room - (x.to - x.from) * fits) / 2;
+    const PlanScale scale{x.from, y.to, fits, left, sheet.y + 12};
     double seconds = 0;
     for (const scenes::walkers::Person &person : tracks.people) seconds += person.end_s - person.start_s;
+    add_axes(sheet, x, y, scale);
     add_given(sheet, tracks, scale, report.info.sample_count);
     add_shown(sheet, tracks, scale, seconds);
-    sheet.y += 12 + height * pixels + 24;
-    const double bar = bar_length(width);
-    char length[40];
-    std::snprintf(length, sizeof length, "%g m", bar);
-    sheet.add(Line{{{left, sheet.y}, {left + bar * pixels, sheet.y}}, {Ink::text, 0}, 2});
-    sheet.add(charts::Label{{left, sheet.y + 18}, length, charts::Face::detail});
-    sheet.y += 30;
+    sheet.y += 12 + (y.to - y.from) * fits + 46;
     return sheet.finish("Paths of the people in " + report.file);
 }
 

@@ -4,6 +4,8 @@
 #include <map>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/cli/run.h"
 
 namespace cli_test
@@ -133,7 +135,40 @@ TEST_F(Measures, DrawCrossingsOverTime)
     const Outcome outcome = tracks({"--measure", path("n.svg"), "--measure", path("n.csv"), "--line", "0,1,0,-1"});
     ASSERT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_NE(file_text(path("n.svg")).find("0.500 people a second"), std::string::npos);
+    EXPECT_NE(file_text(path("n.svg")).find("ways.csv, the line from (0, 1) to (0, -1)"), std::string::npos);
     EXPECT_NE(outcome.out.find("3 crossed the line"), std::string::npos) << outcome.out << "either way counts";
+}
+
+TEST_F(Measures, AreInTheReport)
+{
+    const Outcome outcome =
+        tracks({"--measure", path("m.csv"), line_[0], line_[1], area_[0] + "=" + area_[1], "--json", "-"});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    const nlohmann::json found = nlohmann::json::parse(outcome.out)["measures"];
+    EXPECT_EQ(found["crossed"], 3);
+    EXPECT_NEAR(found["flow_per_s"].get<double>(), 0.5, 1e-9);
+    EXPECT_NEAR(found["first_s"].get<double>(), 1.1, 1e-9);
+    EXPECT_NEAR(found["last_s"].get<double>(), 5.1, 1e-9);
+    EXPECT_EQ(found["area_m2"], 4);
+    EXPECT_EQ(found["line"], nlohmann::json({{0, -1}, {0, 1}}));
+    const Outcome bare = tracks({"--measure", path("m.csv"), "--json", "-"});
+    const nlohmann::json without = nlohmann::json::parse(bare.out)["measures"];
+    for (const char *name : {"crossed", "line", "area_m2", "most_per_m2", "first_s", "flow_per_s"})
+        EXPECT_TRUE(without.contains(name) && without[name].is_null()) << name;
+    EXPECT_EQ(without["nearest_m"], found["nearest_m"]);
+    const Outcome none = tracks({"--json", "-"});
+    EXPECT_FALSE(nlohmann::json::parse(none.out).contains("measures"));
+}
+
+TEST_F(Measures, GoToStandardOutput)
+{
+    const Outcome outcome = tracks({"--measure", "-", "--measure", path("m.csv"), line_[0], line_[1]});
+    ASSERT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, file_text(path("m.csv")));
+    const Outcome both = tracks({"--measure", "-", "--json", "-"});
+    EXPECT_EQ(both.code, 2);
+    EXPECT_NE(both.err.find("standard output takes one of the files named -"), std::string::npos) << both.err;
+    EXPECT_EQ(both.out, "");
 }
 
 TEST_F(Measures, RefuseWrongLinesAreasAndFiles)

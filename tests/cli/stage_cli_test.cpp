@@ -282,6 +282,7 @@ TEST_F(StageCommand, WrongUseIsSaidBeforeAnythingIsDone)
     refused({"--frames", "0:5"}, "--out");
     refused({"--frames", "0:9000", "--out", path("%d.png")}, "ends at 9000, and the run has 1875 frames");
     refused({"--record", path("run.mp4")}, "run.mp4' would hold a record, so its name must end in .clt");
+    refused({"--record", path("run.clt"), "--measure", "-", "--json", "-"}, "standard output takes one");
     refused({"--at", "5"}, "--save");
     refused({"--save", path("s"), "--at", "99"}, "after the end of the run");
     refused({"--apart", "--in-turn"}, "excludes");

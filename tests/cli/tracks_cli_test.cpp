@@ -95,6 +95,8 @@ TEST_F(TracksCommand, DrawsAPlanOfThePaths)
     const std::string svg = file_text(path("plan.svg"));
     EXPECT_NE(svg.find("2 people in 10.0 s"), std::string::npos);
     EXPECT_NE(svg.find("<svg"), std::string::npos);
+    for (const char *on_axes : {">x in m<", ">y in m<", ">-4<", ">2<", ">0<"})
+        EXPECT_NE(svg.find(on_axes), std::string::npos) << on_axes;
     ASSERT_EQ(claque(with(table("tracks"), {"--plot", path("plan.png")})).code, 0);
     EXPECT_GT(picture_of(path("plan.png")).width, 500);
 }
