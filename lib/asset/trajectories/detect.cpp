@@ -109,6 +109,11 @@ clq_trajectory_format detect(const TrajectoryInput &input, const TrajectoryOptio
     const clq_trajectory_format found = by_content(input);
     if (found != CLQ_TRAJECTORY_AUTO) return found;
     if (ends_with(lower_case(input.name), ".vsp")) return CLQ_TRAJECTORY_VSP;
+    if (input.text().substr(0, 7) == "claqueR")
+        fail(
+            CLQ_ARGUMENT,
+            "the file is a record of claque: clq_record_open and Record.load of Python play it, and 'claque tracks RUN "
+            "--out RUN.txt' writes its positions");
     const Head head = head_of(input.text().substr(0, looked_at));
     if (head.first.empty()) fail(CLQ_FORMAT, "the file has no rows");
     fail(CLQ_ARGUMENT,

@@ -33,6 +33,12 @@ TEST(TrajectoryRefusals, WhatTheFileDoesNotSayIsAskedForByOptionAndMember)
         "are in seconds, --rate 25 (rate_hz); the first row is 'name,speed'");
 }
 
+TEST(TrajectoryRefusals, OfARecordSayWhatReadsIt)
+{
+    expect_refused("claqueR\x1a\2", CLQ_ARGUMENT,
+                   "record of claque: clq_record_open and Record.load of Python play it");
+}
+
 TEST(TrajectoryRefusals, OfAFileWithoutPeopleNameTheOptionThatReadsOthers)
 {
     asset::TrajectoryOptions late = of_table("id,time,x,y", 1, 1);
