@@ -46,7 +46,8 @@ void add_reading_options(CLI::App &command, TrackArguments &a)
     command.add_option("--max-speed", a.max_speed_m_s, "A person that is faster, in m/s, becomes another person there")
         ->check(CLI::Range(0.1, 1e6))
         ->capture_default_str();
-    command.add_flag("--vehicles", a.vehicles, "SUMO: vehicles too, and people that ride in one");
+    command.add_flag("--vehicles", a.vehicles,
+                     "SUMO: vehicles too, as boxes, and the people that ride in them, in seats");
 }
 
 void add_limb_options(CLI::App &command, scenes::WalkingNodes &limbs, scenes::SocialClass::Clips &gaits)

@@ -30,7 +30,7 @@ std::vector<double> speeds_of(const clq_trajectories *trajectories, uint32_t per
         clq_trajectory_person person = clq_trajectory_person_init();
         check(clq_trajectories_get_person(trajectories, p, &person));
         const clq_trajectory_sample *own = all + person.first_sample;
-        const uint64_t count = person.sample_count;
+        const uint64_t count = own->flags == 0 ? person.sample_count : 0;  // of people on foot
         for (uint64_t i = 0, first = 0, last = 0; i < count && count > 1; ++i) {
             while (first < i && own[first].time_s < own[i].time_s - 0.25) ++first;
             while (last + 1 < count && own[last + 1].time_s <= own[i].time_s + 0.25) ++last;
@@ -62,11 +62,17 @@ TracksReport report_of(const Tracks &tracks, const std::string &file)
                                         double(speeds.size());
     double seconds = 0, standing = 0;
     for (const scenes::walkers::Person &person : tracks.people) {
+        r.vehicles += person.kind == scenes::walkers::Person::Kind::vehicle;
+        r.riders += person.kind == scenes::walkers::Person::Kind::rides;
+    }
+    const double walkers = double(tracks.people.size() - r.vehicles - r.riders);
+    for (const scenes::walkers::Person &person : tracks.people) {
+        if (!person.track) continue;
         clq_track_info info = clq_track_info_init();
         check(clq_track_get_info(person.track.get(), &info));
         seconds += info.end_s - info.start_s, standing += info.standing_s;
         r.distance_m += info.distance_m;
-        r.mean_shift_m += info.mean_shift_m / double(tracks.people.size());
+        r.mean_shift_m += info.mean_shift_m / walkers;
         r.max_shift_m = std::max(r.max_shift_m, info.max_shift_m);
         r.plants += info.plant_count, r.bytes += info.bytes;
     }
@@ -85,6 +91,8 @@ void print(const TracksReport &r)
     std::snprintf(text, sizeof text, "%u, at most %u at once (%.2f s)", r.info.person_count, r.info.most_at_once,
                   r.info.most_at_once_s - r.info.min_s);
     line("people", text);
+    std::snprintf(text, sizeof text, "%zu of these, and %zu in one", r.vehicles, r.riders);
+    if (r.vehicles + r.riders > 0) line("vehicles", text);
     std::snprintf(text, sizeof text, "%.2f s, %.4g s between samples, %llu samples", r.info.max_s - r.info.min_s,
                   r.info.step_s, static_cast<unsigned long long>(r.info.sample_count));
     line("length", text);
@@ -108,6 +116,7 @@ Json json_of(const TracksReport &r)
     Json out;
     out["file"] = r.file;
     out["people"] = r.info.person_count, out["most_at_once"] = r.info.most_at_once;
+    out["vehicles"] = r.vehicles, out["riders"] = r.riders;
     out["samples"] = r.info.sample_count, out["length_s"] = r.info.max_s - r.info.min_s;
     out["step_s"] = r.info.step_s;
     out["box_m"] = {r.info.box_min_m[0], r.info.box_min_m[1], r.info.box_max_m[0], r.info.box_max_m[1]};

@@ -83,6 +83,7 @@ void add_shown(charts::Sheet &sheet, const Tracks &tracks, const PlanScale &scal
     const double step = std::max(plot_step_s, seconds / max_points);
     for (size_t p = 0; p < tracks.people.size(); ++p) {
         const scenes::walkers::Person &person = tracks.people[p];
+        if (!person.track) continue;
         const Paint paint = charts::series(1 + p % (charts::series_colours - 1));
         Line line{{}, paint, 1};
         bool stood = false;

@@ -18,6 +18,7 @@ struct TracksReport {
     // As claque shows them.
     double distance_m = 0, standing_share = 0, mean_shift_m = 0, max_shift_m = 0;
     uint64_t plants = 0, bytes = 0;
+    size_t vehicles = 0, riders = 0;  // among the people
     std::vector<std::string> warnings;
 };
 

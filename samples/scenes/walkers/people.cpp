@@ -66,6 +66,11 @@ People::People(Library &library, const clq_trajectories *trajectories, const Pla
         const clq_trajectory_person read = person_of(trajectories_, i);
         Person person;
         person.id = read.id;
+        // A person who boards becomes another one: the flags of a person are all alike.
+        const uint32_t flags = samples[read.first_sample].flags;
+        person.kind = flags & CLQ_TRAJECTORY_VEHICLE ? Person::Kind::vehicle
+                      : flags & CLQ_TRAJECTORY_RIDES ? Person::Kind::rides
+                                                     : Person::Kind::walks;
         person.member = member_of(cast_, random_unit(seed_, i, Purpose::clip));
         person.scale = cast_[person.member].scale * random_between(seed_, i, Purpose::size, 0.95, 1.05);
         person.start_s = samples[read.first_sample].time_s - plan_.start_s;
@@ -98,7 +103,7 @@ clq_track *People::track(size_t i)
 std::vector<Person> People::take(const std::function<void(size_t, size_t)> &progress)
 {
     for (size_t i = 0; i < people_.size(); ++i) {
-        track(i);
+        if (people_[i].kind == Person::Kind::walks) track(i);
         progress(i + 1, people_.size());
     }
     return std::move(people_);

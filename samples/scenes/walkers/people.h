@@ -18,6 +18,7 @@ OwnTrajectories load(Library &library, const Options &options);
 Plan plan_of(const clq_trajectories *trajectories, const Options &options);
 
 struct Person {
+    enum class Kind : uint8_t { walks, rides, vehicle } kind = Kind::walks;  // the latter two have no track
     std::string id;
     size_t member = 0;  // of the cast
     OwnTrack track;     // null until it is made
@@ -36,7 +37,8 @@ public:
            uint64_t seed);
 
     const std::vector<Person> &all() const { return people_; }
-    // Makes the person's track if it has none; its shoulders turn where people pass closely. Throws Failure.
+    // Makes the track of a person who walks if it has none; its shoulders turn where people pass closely. Throws
+    // Failure.
     clq_track *track(size_t person);
     size_t made() const { return made_; }  // tracks
     // All of them, with their tracks.

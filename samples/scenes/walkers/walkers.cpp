@@ -8,6 +8,7 @@
 #include "samples/scenes/random.h"
 #include "samples/scenes/shadows.h"
 #include "samples/scenes/walkers/plain.h"
+#include "samples/scenes/walkers/vehicles.h"
 
 namespace scenes::walkers
 {
@@ -47,9 +48,12 @@ public:
         for (const SocialClass &one : classes) cast_.push_back(walkers::cast(library, one, crowd_options.lod));
         for (const Member &member : cast_) away_.push_back(track_of_absence(member));
         people_.emplace(library, trajectories_.get(), plan_, cast_, crowd_options.seed);
+        vehicles_.emplace(trajectories_.get(), plan_, people_->all());
         walks_.resize(people_->all().size());
         for (size_t i = 0; i < walks_.size(); ++i) {
-            enter(people_->all()[i], crowd_options.as_shown);
+            const Person &person = people_->all()[i];
+            if (person.kind == Person::Kind::vehicle) continue;
+            enter(i, crowd_options.as_shown || person.kind == Person::Kind::rides);
             if (crowd_options.as_shown) continue;
             walk(i);
             options.progress(i + 1, walks_.size());
@@ -64,7 +68,7 @@ public:
     std::vector<clq_actor> actors() const override { return scene_crowd_.actors(); }
     std::string class_of(size_t individual) const override
     {
-        return cast_[people_->all()[individual].member].described.name;
+        return cast_[people_->all()[person_of_[individual]].member].described.name;
     }
     double busiest_s() const override { return busiest_s_; }
     std::vector<clq_template *> templates() const override
@@ -86,9 +90,14 @@ public:
     {
         places_.clear();
         if (followed_) warn_of_absence(people_->all()[*followed_], time_s);
-        for (size_t i = 0; i < walks_.size(); ++i) {
+        vehicles_->place(time_s);
+        for (size_t individual = 0; individual < person_of_.size(); ++individual) {
+            const size_t i = person_of_[individual];
             const Person &person = people_->all()[i];
-            if (time_s < person.start_s - around_s || time_s > person.end_s + around_s) continue;
+            if (person.kind == Person::Kind::rides) sit(individual, time_s);
+            if (person.kind == Person::Kind::rides || time_s < person.start_s - around_s ||
+                time_s > person.end_s + around_s)
+                continue;
             walk(i);
             if (time_s < person.start_s || time_s > person.end_s) continue;
             clq_track_state state;
@@ -122,32 +131,62 @@ public:
     void draw_environment(const Gl &g, const Eye &eye) const override
     {
         plain_.draw(g, eye);
+        g.Disable(gl::texture_2d);
+        vehicles_->boxes().draw(g);
         if (paints_people_) shadows_.cast(places_, plain_.light().to_sun, person_height_m, shadow_width_m);
-        shadows_.draw(g);
+        shadows_.draw(g, vehicles_->shade());
     }
 
 private:
     // Before its track begins an actor is in no picture, but it exists: the numbers of all others stay.
-    void enter(const Person &person, bool away)
+    void enter(size_t number, bool away)
     {
+        const Person &person = people_->all()[number];
+        actor_of_.resize(number + 1), actor_of_[number] = person_of_.size();
+        person_of_.push_back(number);
         clq_transform place = clq_transform_init();
         place.scale = static_cast<float>(person.scale);
         const Member &member = cast_[person.member];
         const SceneCrowd::Part part = {member.tmpl, place, clq_play_init()};
         if (member.described.palette.empty()) scene_crowd_.enter(part);
         else scene_crowd_.enter(part, scene_crowd_.actors().size(), ranges_of(member.tmpl, member.described));
-        if (away) follow(scene_crowd_.actors().size() - 1, away_[person.member].get());
+        if (away) follow(number, away_[person.member].get());
     }
+
+    clq_actor actor(size_t person) const { return scene_crowd_.actors()[actor_of_[person]]; }
 
     void follow(size_t person, clq_track *track)
     {
-        check(clq_actor_follow_track(scene_crowd_.crowd(), scene_crowd_.actors()[person], track, 0));
+        check(clq_actor_follow_track(scene_crowd_.crowd(), actor(person), track, 0));
+    }
+
+    // Who rides is on no track: the seat moves it.
+    void sit(size_t individual, double time_s)
+    {
+        const size_t number = person_of_[individual];
+        const Person &person = people_->all()[number];
+        const bool is_there = time_s >= person.start_s && time_s <= person.end_s;
+        if (walks_[number] && !is_there) follow(number, away_[person.member].get());
+        if (!walks_[number] && is_there) {
+            check(clq_actor_leave_track(scene_crowd_.crowd(), actor(number), time_s));
+            clq_play play = clq_play_init();
+            play.clip = find_clip(cast_[person.member].tmpl, {"sit", "sitting", "sit_idle", "seated", "stand", "idle"});
+            play.phase_s = static_cast<float>(number % 64);
+            scene_crowd_.play(individual, play);
+        }
+        walks_[number] = is_there;
+        if (!is_there) return;
+        const Vehicles::Stand seat = vehicles_->at(number, time_s);
+        const clq_actor one = actor(number);
+        const clq_transform place = stand(seat.position[0], seat.position[1], seat.position[2], seat.ahead_x,
+                                          seat.ahead_z, static_cast<float>(person.scale));
+        check(clq_crowd_set_transforms(scene_crowd_.crowd(), &one, &place, 1));
     }
 
     // Makes the person's track if it has none.
     void walk(size_t person)
     {
-        if (walks_[person]) return;
+        if (walks_[person] || people_->all()[person].kind != Person::Kind::walks) return;
         follow(person, people_->track(person));
         walks_[person] = true;
     }
@@ -185,7 +224,8 @@ private:
         std::snprintf(text, sizeof text,
                       " is present from %.6g to %.6g s: at other times the camera that follows waits at the nearer end",
                       person.start_s, person.end_s);
-        clq_context_log(library_.context(), CLQ_LOG_WARNING, ("person " + person.id + text).c_str());
+        clq_context_log(library_.context(), CLQ_LOG_WARNING,
+                        ((person.kind == Person::Kind::vehicle ? "vehicle " : "person ") + person.id + text).c_str());
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
@@ -193,6 +233,12 @@ private:
     clq_camera behind(const Person &person, double time_s, double aspect) const
     {
         const double t = std::clamp(time_s, person.start_s, person.end_s);
+        if (person.kind != Person::Kind::walks) {  // behind a vehicle, and above it
+            const Vehicles::Stand at = vehicles_->rear(*followed_, t);
+            const double *p = at.position, x = at.ahead_x, z = at.ahead_z;
+            return look({p[0] - 6 * x - 4.5 * z, p[1] + 3.6, p[2] - 6 * z + 4.5 * x},
+                        {p[0] + 4 * x, p[1] + 1, p[2] + 4 * z}, 48, aspect, 0.2, 400);
+        }
         clq_track_state state;
         double x = 0, z = 0;
         for (int k = -10; k <= 10; ++k) {
@@ -212,7 +258,9 @@ private:
     std::vector<Member> cast_;
     std::vector<OwnTrack> away_;  // by member of the cast
     std::optional<People> people_;
-    std::vector<bool> walks_;  // by person: its actor follows its own track
+    std::optional<Vehicles> vehicles_;
+    std::vector<bool> walks_;                   // by person: its actor follows its own track, or sits
+    std::vector<size_t> person_of_, actor_of_;  // of individuals, and the other way round; vehicles are none
     SceneCrowd scene_crowd_;
     Plain plain_;
     double busiest_s_ = 0;
