@@ -53,12 +53,6 @@ Turn between(const glm::vec3 &from, const glm::vec3 &to)
     return turn_of(w / norm, v / norm);
 }
 
-Turn about_y(float angle_rad)
-{
-    const float half = angle_rad * 0.5f;
-    return turn_of(math::cos(half), glm::vec3(0, math::sin(half), 0));
-}
-
 glm::vec3 vec_of(const F4 &v) { return glm::vec3(v[0], v[1], v[2]); }
 
 // Moves nodes rigidly: `turn` about `from`, which then lies at `to`.
@@ -107,6 +101,69 @@ struct Reach {
     float thigh, shin;
 };
 
+struct Flat {
+    float x, z;
+};
+
+// From the ball of a flat foot that points along `ahead` to one of its points.
+Flat flat_of(const SolePoint &point, const Flat &ahead)
+{
+    return {ahead.x * point.ahead + ahead.z * point.aside, ahead.z * point.ahead - ahead.x * point.aside};
+}
+
+// The lowest point of a sole.
+struct Touch {
+    const SolePoint *point = nullptr;
+    glm::vec3 at = glm::vec3(0);  // in model space
+};
+
+Touch touch_of(const Leg &leg, const Columns *globals)
+{
+    Touch out;
+    float low = 0;
+    const auto count = static_cast<uint32_t>(leg.sole.size());
+    for (uint32_t i = 0; i < count; ++i) {
+        const Columns &node = globals[i < leg.first_of_toes ? leg.foot : leg.toes];
+        const glm::vec3 &p = leg.sole[i].at;
+        const float y = node.c[0][1] * p.x + node.c[1][1] * p.y + node.c[2][1] * p.z + node.c[3][1];
+        if (!out.point || y < low) out.point = &leg.sole[i], low = y;
+    }
+    if (!out.point) return out;
+    const bool of_foot = out.point < leg.sole.data() + leg.first_of_toes;
+    out.at = point_of(globals[of_foot ? leg.foot : leg.toes], out.point->at);
+    return out;
+}
+
+Flat ahead_of(const Leg &leg, const Columns *globals)
+{
+    const glm::vec3 d = point_of(globals[leg.foot], leg.ball) - point_of(globals[leg.foot], leg.heel);
+    const float flat = std::sqrt(d.x * d.x + d.z * d.z);
+    return flat > 0 ? Flat{d.x / flat, d.z / flat} : Flat{0, 1};
+}
+
+// The rotation about y from one unit vector to another.
+Turn turn_between(const Flat &from, const Flat &to)
+{
+    const float c = from.x * to.x + from.z * to.z, s = from.z * to.x - from.x * to.z;
+    return {glm::vec3(c, 0, -s), glm::vec3(0, 1, 0), glm::vec3(s, 0, c)};
+}
+
+Flat wanted_ahead(const FootTarget &target, const Flat &own)
+{
+    if (std::isnan(target.turn_rad)) return own;
+    const Flat wanted{math::sin(target.turn_rad), math::cos(target.turn_rad)};
+    const Flat sum{own.x + (wanted.x - own.x) * target.weight, own.z + (wanted.z - own.z) * target.weight};
+    const float size = std::sqrt(sum.x * sum.x + sum.z * sum.z);
+    return size > 1e-3f ? Flat{sum.x / size, sum.z / size} : own;
+}
+
+// How far a foot that has to stay over a height is moved up, without a corner.
+float raised(float clear, float low)
+{
+    const float more = clear - low, soft = 0.25f * std::fabs(clear);
+    return 0.5f * (more + std::sqrt(more * more + soft * soft));
+}
+
 Reach reach_of(const FootTarget &target, const Columns *globals)
 {
     const Leg &leg = *target.leg;
@@ -114,25 +171,26 @@ Reach reach_of(const FootTarget &target, const Columns *globals)
     Reach out;
     out.hip = vec_of(globals[leg.thigh].c[3]), out.knee = vec_of(globals[leg.shin].c[3]);
     out.ankle = point_of(globals[leg.shin], leg.ankle), out.foot = vec_of(globals[leg.foot].c[3]);
-    out.turn = about_y(target.turn_rad * target.weight);
-    const glm::vec3 clip_ball = point_of(globals[leg.foot], leg.ball);
-    const glm::vec3 clip_heel = point_of(globals[leg.foot], leg.heel);
-    const glm::vec3 ball = out.foot + out.turn * (clip_ball - out.foot);
-    const glm::vec3 heel = out.foot + out.turn * (clip_heel - out.foot);
-    const glm::vec3 clip_sole = sole_of(clip_ball, clip_heel), sole = sole_of(ball, heel);
+    const Flat own = ahead_of(leg, globals), ahead = wanted_ahead(target, own);
+    out.turn = turn_between(own, ahead);
+    const Touch touch = touch_of(leg, globals);
+    const glm::vec3 turned = out.foot + out.turn * (touch.at - out.foot);
+    const Flat own_flat = flat_of(*touch.point, own), flat = flat_of(*touch.point, ahead);
 
     // In the air, too, it is the sole that is moved: a foot that comes down or is lifted must not jump.
-    const float to_x = target.planted ? target.x : clip_sole.x + target.x;
-    const float to_z = target.planted ? target.z : clip_sole.z + target.z;
-    glm::vec3 shift(to_x - sole.x, 0, to_z - sole.z);
+    const float to_x = target.planted ? target.x : touch.at.x - own_flat.x + target.x;
+    const float to_z = target.planted ? target.z : touch.at.z - own_flat.z + target.z;
+    glm::vec3 shift(to_x - (turned.x - flat.x), 0, to_z - (turned.z - flat.z));
     shift = shift * target.weight;
     const float far = length(shift);
     if (far > leg.max_shift) shift = shift * (leg.max_shift / far);
     const auto within = [&leg](float up) {
         return up < -leg.max_shift ? -leg.max_shift : up > leg.max_shift ? leg.max_shift : up;
     };
-    const float low = (ball.y < heel.y ? ball.y : heel.y) + sink;
-    shift.y = -target.ground * target.weight * within(low);
+    const float low = touch.at.y + sink;
+    float up = -target.ground * low;
+    if (target.clear > -HUGE_VALF) up += (1 - target.ground) * raised(target.clear, low);
+    shift.y = target.weight * within(up);
     if (target.y != 0) shift.y = within(shift.y + target.weight * target.y);
     out.wanted = out.foot + shift;
     out.wanted.y += sink;
@@ -163,13 +221,12 @@ glm::vec3 point_of(const Columns &node, const glm::vec3 &point) noexcept
     return vec_of(node.c[0] * splat(point.x) + node.c[1] * splat(point.y) + node.c[2] * splat(point.z) + node.c[3]);
 }
 
-glm::vec3 sole_of(const glm::vec3 &ball, const glm::vec3 &heel) noexcept
+Print print_of(const Leg &leg, const Columns *globals) noexcept
 {
-    if (!(ball.y > heel.y)) return ball;
-    glm::vec3 ahead(ball.x - heel.x, 0, ball.z - heel.z);
-    const float flat = length(ahead);
-    if (!(flat > 0)) return ball;
-    return ball + ahead * (length(ball - heel) / flat - 1);
+    const Flat ahead = ahead_of(leg, globals);
+    const Touch touch = touch_of(leg, globals);
+    const Flat flat = flat_of(*touch.point, ahead);
+    return {touch.at.x - flat.x, touch.at.z - flat.z, touch.at.y, ahead.x, ahead.z};
 }
 
 void move_foot(const FootTarget &target, Columns *globals) noexcept

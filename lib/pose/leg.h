@@ -3,6 +3,8 @@
 // function of the pose and the target alone.
 #pragma once
 
+#include <cmath>
+
 #include "lib/base/span.h"
 #include "lib/math/simd.h"
 #include "lib/model/template.h"
@@ -10,10 +12,18 @@
 namespace claque::pose
 {
 
+// A point of a sole that is the lowest one in some pose of its foot.
+struct SolePoint {
+    glm::vec3 at = glm::vec3(0);  // in the frame of the foot, or of its toes
+    // Where it touches the ground, as seen from the ball of a foot that stands flat and points along x. A sole that
+    // rolls over its points puts each of them there.
+    float ahead = 0, aside = 0;
+};
+
 // The nodes of one leg, and the points of the foot that touch the ground.
 struct Leg {
     explicit Leg(std::pmr::memory_resource *memory = std::pmr::get_default_resource())
-        : thigh_nodes(memory), shin_nodes(memory), foot_nodes(memory)
+        : thigh_nodes(memory), shin_nodes(memory), foot_nodes(memory), sole(memory)
     {
     }
     uint32_t thigh = model::none, shin = model::none, foot = model::none;
@@ -22,17 +32,22 @@ struct Leg {
     // Of the shin's end, in the frame of `shin`: rigs made for inverse kinematics hang their feet on the root.
     glm::vec3 ankle = glm::vec3(0);
     glm::vec3 ball = glm::vec3(0), heel = glm::vec3(0);  // in the frame of `foot`
-    float max_shift = 0;                                 // model units: how far a foot may be moved
+    uint32_t toes = model::none;
+    model::Array<SolePoint> sole;  // those of the foot, then those of the toes; never empty
+    uint32_t first_of_toes = 0;
+    float max_shift = 0;  // model units: how far a foot may be moved
 };
 
 // Where a foot has to be, in model space.
 struct FootTarget {
     const Leg *leg = nullptr;
     bool planted = false;
-    float x = 0, z = 0;  // planted: of the sole (sole_of); otherwise how far that is moved
-    float turn_rad = 0;  // of the foot about y
-    float weight = 1;    // [0, 1] of all of this
-    float ground = 0;    // [0, 1] how far the lower of ball and heel is moved to y = 0
+    float x = 0, z = 0;    // planted: of the sole (print_of); otherwise how far that is moved
+    float turn_rad = NAN;  // to which the foot points, about y from +z; NaN: as in the pose
+    float weight = 1;      // [0, 1] of all of this
+    float ground = 0;      // [0, 1] how far the lowest point of the sole is moved to y = 0
+    float clear =
+        -HUGE_VALF;  // the height below which that point does not come, as far as it is not moved to the ground
     // Of the ground below a planted foot; in the air how far the foot is moved up. At 0 the ground is level.
     float y = 0;
     float sink = 0;  // by which the whole body has been lowered (PoseJob::run); of both feet the same
@@ -46,9 +61,13 @@ model::Array<uint32_t> nodes_below(const model::Rig &rig, uint32_t node, uint32_
 // `globals`: [node_count] in model space, changed in place.
 void move_foot(const FootTarget &target, math::Columns *globals) noexcept;
 
-// Where a foot is: where the ball of the foot would lie if the foot stood flat. A foot whose toes are up rolls over its
-// heel, which then stays, and the ball comes forward as it sinks.
-glm::vec3 sole_of(const glm::vec3 &ball, const glm::vec3 &heel) noexcept;
+// A foot over the ground.
+struct Print {
+    float x = 0, z = 0;              // where its ball would lie if the foot rolled until it stood flat
+    float low = 0;                   // height of the lowest point of the sole
+    float ahead_x = 0, ahead_z = 1;  // unit vector: to which the foot points
+};
+Print print_of(const Leg &leg, const math::Columns *globals) noexcept;
 
 // A point of a node's frame in model space.
 glm::vec3 point_of(const math::Columns &node, const glm::vec3 &point) noexcept;

@@ -41,6 +41,7 @@ GaitCell mix(const GaitCell &a, const GaitCell &b, double part)
     out.advance = both(a.advance, b.advance);
     for (int f = 0; f < 2; ++f) {
         out.x[f] = both(a.x[f], b.x[f]), out.z[f] = both(a.z[f], b.z[f]);
+        out.yaw[f] = both(a.yaw[f], b.yaw[f]);
         out.supports[f] = both(a.supports[f], b.supports[f]);
         out.reach[f] = both(a.reach[f], b.reach[f]);
         out.hip_x[f] = both(a.hip_x[f], b.hip_x[f]), out.hip_z[f] = both(a.hip_z[f], b.hip_z[f]);

@@ -42,8 +42,9 @@ constexpr uint32_t phase_count = 48;
 // The body at one phase of one gait, in model units.
 struct GaitCell {
     float advance = 0;    // of the body, per cycle of the phase
-    float x[2] = {0, 0};  // the sole of each foot (pose::sole_of)
+    float x[2] = {0, 0};  // the sole of each foot (pose::print_of)
     float z[2] = {0, 0};
+    float yaw[2] = {0, 0};       // to which each foot points, radians about y
     float supports[2] = {0, 0};  // 1: this foot carries weight
     // For each leg: how far its straight length reaches over the ground, where its hip is, and how far the foot's node
     // is behind the sole.

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/base/error.h"
+#include "lib/math/trig.h"
 #include "lib/pose/pose.h"
 #include "lib/track/clip_checks.h"
 #include "lib/track/sole.h"
@@ -70,10 +71,11 @@ void set_upper(const model::Template &tmpl, Locomotion &out)
 
 // The feet over one cycle of one gait.
 struct FootPath {
-    double low[2][phase_count];                                      // height of the lower of ball and heel
-    double x[2][phase_count], y[2][phase_count], z[2][phase_count];  // of the sole
-    glm::dvec3 hip[2][phase_count], node[2][phase_count];            // the foot's node as seen from the sole
-    double length[2][phase_count];                                   // of the leg
+    double low[2][phase_count];                            // height of the lower of ball and heel
+    double x[2][phase_count], z[2][phase_count];           // of the sole
+    double yaw[2][phase_count];                            // to which the foot points
+    glm::dvec3 hip[2][phase_count], node[2][phase_count];  // the foot's node as seen from the sole
+    double length[2][phase_count];                         // of the leg
 };
 
 FootPath watch(const Locomotion &locomotion, float gait, float turn, pose::Workspace &work)
@@ -87,15 +89,16 @@ FootPath watch(const Locomotion &locomotion, float gait, float turn, pose::Works
         job.run();
         for (int f = 0; f < 2; ++f) {
             const pose::Leg &leg = locomotion.legs[f];
-            const glm::vec3 ball = pose::point_of(job.globals[leg.foot], leg.ball);
-            const glm::vec3 heel = pose::point_of(job.globals[leg.foot], leg.heel);
+            const pose::Print print = pose::print_of(leg, job.globals.data);
             const glm::vec3 hip = place_of(work, leg.thigh), knee = place_of(work, leg.shin);
-            const glm::vec3 sole = pose::sole_of(ball, heel);
+            const glm::vec3 sole(print.x, print.low, print.z);
             path.hip[f][p] = glm::dvec3(hip);
             path.node[f][p] = glm::dvec3(place_of(work, leg.foot)) - glm::dvec3(sole);
             path.length[f][p] = distance(hip, knee) + distance(knee, pose::point_of(job.globals[leg.shin], leg.ankle));
-            path.low[f][p] = double(std::min(ball.y, heel.y));
-            path.x[f][p] = double(sole.x), path.y[f][p] = double(sole.y), path.z[f][p] = double(sole.z);
+            const auto height = [&](const glm::vec3 &p) { return pose::point_of(job.globals[leg.foot], p).y; };
+            path.low[f][p] = double(std::min(height(leg.ball), height(leg.heel)));
+            path.x[f][p] = double(print.x), path.z[f][p] = double(print.z);
+            path.yaw[f][p] = math::atan2(double(print.ahead_x), double(print.ahead_z));
         }
     }
     return path;
@@ -163,10 +166,11 @@ void set_feet(const FootPath &path, const bool supports[2][phase_count], uint32_
 {
     for (int f = 0; f < 2; ++f) {
         cell.x[f] = static_cast<float>(path.x[f][p]), cell.z[f] = static_cast<float>(path.z[f][p]);
+        cell.yaw[f] = static_cast<float>(path.yaw[f][p]);
         cell.supports[f] = supports[f][p];
         // The foot comes down to the ground, and with it the ankle; the hip stays.
         const glm::dvec3 &hip = path.hip[f][p], &node = path.node[f][p];
-        const double height = hip.y - (path.y[f][p] + node.y - path.low[f][p]);
+        const double height = hip.y - node.y;
         const double square = path.length[f][p] * path.length[f][p] - height * height;
         cell.reach[f] = static_cast<float>(square > 0 ? std::sqrt(square) : 0);
         cell.hip_x[f] = static_cast<float>(hip.x), cell.hip_z[f] = static_cast<float>(hip.z);
@@ -210,10 +214,10 @@ void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
             if (!supports[0][p] && !supports[1][p]) supports[path.low[0][p] <= path.low[1][p] ? 0 : 1][p] = true;
     double advance[phase_count] = {}, sum = 0;
     for (uint32_t p = 0; p < phase_count; ++p) {
-        const int feet = supports[0][p] + supports[1][p];
-        known[p] = feet > 0;
+        known[p] = supports[0][p] || supports[1][p];
+        // Of two feet that which is not just landing or leaving.
         for (int f = 0; f < 2; ++f)
-            if (supports[f][p]) advance[p] += std::max(0.0, backwards(path, f, p)) / feet;
+            if (supports[f][p]) advance[p] = std::max(advance[p], backwards(path, f, p));
     }
     if (step > 0 && !(*std::max_element(advance, advance + phase_count) > 0)) fail_to_walk(*out.tmpl, out.clips, step);
     if (step > 0) fill_flight(advance, known);

@@ -33,12 +33,14 @@ struct Foot {
           reach(memory),
           node_x(memory),
           node_z(memory),
+          yaw(memory),
           down(memory)
     {
     }
     Array<double> x, z;
     Array<double> hip_x, hip_z, reach;  // GaitCell::reach in the world
     Array<double> node_x, node_z;       // of the foot, from its sole, in the space of the body
+    Array<double> yaw;                  // to which it points in the world
     Array<uint8_t> down;
     const Footing *footing = nullptr;
     double leg_m = 0;  // its length
@@ -48,7 +50,8 @@ Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m,
 {
     Foot foot(path.x.get_allocator().resource());
     const uint32_t count = path.count();
-    for (Array<double> *column : {&foot.x, &foot.z, &foot.hip_x, &foot.hip_z, &foot.reach, &foot.node_x, &foot.node_z})
+    for (Array<double> *column :
+         {&foot.x, &foot.z, &foot.hip_x, &foot.hip_z, &foot.reach, &foot.node_x, &foot.node_z, &foot.yaw})
         column->resize(count);
     foot.down.resize(count);
     for (uint32_t i = 0; i < count; ++i) {
@@ -62,6 +65,7 @@ Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m,
         foot.hip_z[i] = path.z[i] - hip_x * s + hip_z * c;
         foot.reach[i] = double(cell.reach[f]) * scale_m;
         foot.node_x[i] = double(cell.node_x[f]) * scale_m, foot.node_z[i] = double(cell.node_z[f]) * scale_m;
+        foot.yaw[i] = path.heading[i] + double(cell.yaw[f]);
         foot.down[i] = path.stands[i] || cell.supports[f] > 0.5f;
     }
     return foot;
@@ -96,11 +100,11 @@ double mean(const Array<double> &values, const Contact &contact)
 Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact, const Plant *held)
 {
     if (!held) {
-        Stance stance{mean(foot.x, contact), mean(foot.z, contact), mean(path.heading, contact)};
+        Stance stance{mean(foot.x, contact), mean(foot.z, contact), mean(foot.yaw, contact)};
         foot.footing->settle(stance, path.y[contact.first + (contact.last - contact.first) / 2]);
         return stance;
     }
-    const double heading = path.heading[contact.first];
+    const double heading = foot.yaw[contact.first];
     return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading), double(held->y)};
 }
 
@@ -108,15 +112,17 @@ Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact,
 // the straight leg, the turn against the body, and how far the hips would have to sink.
 double strain(const Foot &foot, const FinePath &path, const Stance &place, uint32_t i, double max_shift_m)
 {
-    const double own = path.heading[i], turn = place.heading_rad - own;
-    const auto node = [&](double heading) {
-        const double c = math::cos(heading), s = math::sin(heading);
+    const double turn = place.heading_rad - path.heading[i];
+    // Of the body, for the foot to be turned by so much against it.
+    const auto node = [&](double foot_turn) {
+        const double heading = path.heading[i] + foot_turn, c = math::cos(heading), s = math::sin(heading);
         return glm::dvec2(foot.node_x[i] * c + foot.node_z[i] * s, -foot.node_x[i] * s + foot.node_z[i] * c);
     };
     // The foot's node goes round the sole as the foot is turned.
     const glm::dvec2 wanted =
-        glm::dvec2(place.x, place.z) + node(own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad));
-    const glm::dvec2 clip = glm::dvec2(foot.x[i], foot.z[i]) + node(own), hip(foot.hip_x[i], foot.hip_z[i]);
+        glm::dvec2(place.x, place.z) +
+        node(std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad) - (foot.yaw[i] - path.heading[i]));
+    const glm::dvec2 clip = glm::dvec2(foot.x[i], foot.z[i]) + node(0), hip(foot.hip_x[i], foot.hip_z[i]);
     const double shift = glm::length(wanted - clip) / max_shift_m;
     // A clip may stretch a leg farther than that by itself.
     const double own_leg = glm::length(hip - clip);

@@ -32,9 +32,9 @@ double need_of(const Locomotion &locomotion, const FinePath &path, const Plant &
     const double own = path.heading[i], turn = nearest_turn(double(plant.heading_rad) - own, 0);
     const glm::dvec2 body(path.x[i], path.z[i]);
     const glm::dvec2 hip = body + turned(cell.hip_x[f], cell.hip_z[f], own);
-    const glm::dvec2 node =
-        glm::dvec2(plant.x, plant.z) +
-        turned(cell.node_x[f], cell.node_z[f], own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad));
+    const glm::dvec2 node = glm::dvec2(plant.x, plant.z) +
+                            turned(cell.node_x[f], cell.node_z[f],
+                                   own + std::clamp(turn, -max_foot_turn_rad, max_foot_turn_rad) - double(cell.yaw[f]));
     return sink_wanted(double(locomotion.leg_length) * scale_m, double(cell.reach[f]) * scale_m,
                        glm::length(hip - node), below);
 }

@@ -28,6 +28,8 @@ constexpr double sink_step_m = 1.0 / 65536;
 constexpr double gait_unit = 127;
 constexpr double max_foot_turn_rad = 0.7;  // of a foot against its body
 constexpr double landing_s = 0.08;         // in which the ground takes hold of a foot and lets it go
+// The height over the ground that a sole keeps in the air, and how much more it rises to, in so many seconds.
+constexpr double clear_m = 0.012, mid_swing_m = 0.012, rise_s = 0.15;
 constexpr float max_shoulder_turn_rad = 0.6f;
 constexpr uint8_t stands_flag = 1;
 constexpr uint32_t idle_shift = 1, idle_mask = 3, turn_shift = 3;
@@ -39,7 +41,7 @@ inline uint32_t turn_of(uint8_t flags) { return flags >> turn_shift; }
 struct Plant {
     float begin_s = 0, end_s = 0;
     float x = 0, z = 0;     // of the ball of the foot
-    float heading_rad = 0;  // of the body, while the foot is turned as its clip turns it
+    float heading_rad = 0;  // to which the foot points
     // How far the clips' own foot is from there, when the foot comes down and when it is lifted.
     float begin_x = 0, begin_z = 0, end_x = 0, end_z = 0;
     float y = NAN;  // of the ground; NaN: unknown, the foot stands at the height of the body's own place

@@ -136,6 +136,7 @@ uint64_t hash_of(const Locomotion &locomotion)
         for (const GaitCell &cell : *cells) {
             add(cell.advance);
             for (int f = 0; f < 2; ++f) add(cell.x[f]), add(cell.z[f]), add(cell.supports[f]), add(cell.reach[f]);
+            for (const float yaw : cell.yaw) add(yaw);
         }
     return h;
 }

@@ -7,7 +7,7 @@ namespace claque::track
 {
 
 // A track whose feet stand on ground of known height has one more section, and the next version.
-constexpr uint32_t track_file_version = 3, climbing_file_version = 4;
+constexpr uint32_t track_file_version = 5, climbing_file_version = 6;
 
 // Of what was measured: a track is shown by the locomotion that it was made for, or by an equal one.
 uint64_t hash_of(const Locomotion &locomotion);

@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr double down_m = 0.005, other_place_m = 0.02;
-constexpr double hold_s = 0.12, stuck_s = 3, stuck_m = 0.3, sample_s = 0.01;
+constexpr double hold_s = 0.12, stuck_s = 3, stuck_m = 0.3, swing_s = 1, sample_s = 0.01;
 
 double height(const Soleprint &print)
 {
@@ -156,7 +156,7 @@ Contacts contacts_of(const std::vector<Soleprint> &prints, const std::vector<Par
     std::vector<double> heights;
     for (const Soleprint &print : prints) heights.push_back(height(print));
     const std::vector<Run> contacts = runs_of(prints.size(), [&](size_t i) { return heights[i] < down_m; });
-    if (contacts.empty()) ++out.dragged;
+    if (contacts.empty() && prints.back().time_s - prints.front().time_s > swing_s) ++out.dragged;
     for (size_t c = 0; c < contacts.size(); ++c) {
         const Run &run = contacts[c];
         double slip = 0;

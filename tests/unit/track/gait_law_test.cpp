@@ -102,7 +102,7 @@ TEST(GaitAxis, HasTheCellsThatWereMeasuredAndTheirMeansBetweenThem)
         std::vector<double> out = {double(cell.advance)};
         for (int f = 0; f < 2; ++f)
             for (const float x : {cell.x[f], cell.z[f], cell.supports[f], cell.reach[f], cell.hip_x[f], cell.hip_z[f],
-                                  cell.node_x[f], cell.node_z[f]})
+                                  cell.node_x[f], cell.node_z[f], cell.yaw[f]})
                 out.push_back(double(x));
         return out;
     };
@@ -153,9 +153,10 @@ TEST(GaitAxis, HasTheFeetHipsAndLegsThatThePoseHas)
             const track::GaitCell &cell = turns ? people.turn_cells[p] : people.cell(step, p);
             for (int f = 0; f < 2; ++f) {
                 const pose::Leg &leg = people.legs[f];
+                const pose::Print print = pose::print_of(leg, job.globals.data);
                 const glm::vec3 ball = math::transform_point(work.global(leg.foot), leg.ball),
                                 heel = math::transform_point(work.global(leg.foot), leg.heel);
-                const glm::dvec3 sole(pose::sole_of(ball, heel));
+                const glm::dvec3 sole(print.x, 0, print.z), ahead(ball - heel);
                 const glm::dvec3 hip = place(leg.thigh), knee = place(leg.shin), foot = place(leg.foot);
                 EXPECT_NEAR(double(cell.x[f]), sole.x, 1e-5);
                 EXPECT_NEAR(double(cell.z[f]), sole.z, 1e-5);
@@ -165,7 +166,8 @@ TEST(GaitAxis, HasTheFeetHipsAndLegsThatThePoseHas)
                 EXPECT_NEAR(double(cell.node_z[f]), foot.z - sole.z, 1e-5);
                 const auto length = [](const glm::dvec3 &d) { return std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z); };
                 const double straight = length(hip - knee) + length(knee - foot);
-                const double high = hip.y - (foot.y - std::min(double(ball.y), double(heel.y)));
+                EXPECT_NEAR(double(cell.yaw[f]), std::atan2(ahead.x, ahead.z), 1e-5);
+                const double high = hip.y - (foot.y - double(print.low));
                 EXPECT_NEAR(std::hypot(double(cell.reach[f]), high), straight, 2e-4) << step << ", " << p;
             }
         }
@@ -204,12 +206,12 @@ int expect_advance(const track::Locomotion &people)
     for (uint32_t step = 1; step < track::gait_step_count; ++step) {
         const auto cell = [&](uint32_t p) -> const track::GaitCell & { return people.cell(step, p % phases); };
         const auto pace = [&](uint32_t p) {
-            double sum = 0, feet = 0;
-            for (int f = 0; f < 2; ++f) {
-                if (!(cell(p).supports[f] > 0)) continue;
-                sum += std::fmax(0, double(cell(p + phases - 1).z[f] - cell(p + 1).z[f]) * phases / 2), ++feet;
-            }
-            return feet > 0 ? sum / feet : -1;
+            double most = -1;
+            for (int f = 0; f < 2; ++f)
+                if (cell(p).supports[f] > 0)
+                    most = std::fmax(std::fmax(most, 0),
+                                     double(cell(p + phases - 1).z[f] - cell(p + 1).z[f]) * phases / 2);
+            return most;
         };
         double mean = 0;
         for (uint32_t p = 0; p < phases; ++p) {
@@ -235,7 +237,7 @@ int expect_advance(const track::Locomotion &people)
 
 }  // namespace
 
-// The body goes ahead as fast as the foot that carries it moves back; as the mean of two; in flight between the pace
+// The body goes ahead as fast as the foot that carries it moves back; as the faster of two; in flight between the pace
 // before it and the pace behind.
 TEST(GaitAxis, AdvancesAsTheFeetThatCarryItMoveBack)
 {

@@ -6,7 +6,9 @@
 #include "lib/base/error.h"
 #include "lib/math/trig.h"
 #include "lib/track/track_file.h"
+#include "tests/unit/track/contact_law.h"
 #include "tests/unit/track/pieces.h"
+#include "tests/unit/track/sole_meter.h"
 
 using namespace claque;
 
@@ -134,6 +136,20 @@ TEST(Pieces, KeepFeetThatCarryWeightWhereTheyStand)
                 EXPECT_GT(drift.each.size(), 10u) << way.name;
             }
     }
+}
+
+// The law of contact_law_test.cpp, but for the heights of steps that were planned for another way.
+TEST(Pieces, LetNoFootSlipOrDragAlong)
+{
+    const test::Pieces::See guesses[] = {nullptr, go_straight_on, change_of_mind};
+    const test::SoleMeter meter(test::locomotion_of("citizen"));
+    for (const test::Way &way : test::ways())
+        for (int guess = 0; guess < 3; ++guess) {
+            const test::Pieces pieces(way.points, "citizen", {}, guesses[guess]);
+            const auto shown = [&](double t) -> const track::Track & { return pieces.at(t); };
+            test::expect_law(std::string(way.name) + test::numbered(", guess %g", guess),
+                             meter.watch(shown, pieces.start_s(), pieces.end_s()));
+        }
 }
 
 TEST(Pieces, KeepEachFootThatIsDownInItsPlace)

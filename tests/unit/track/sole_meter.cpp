@@ -76,6 +76,12 @@ SoleMeter::SoleMeter(const track::Locomotion &locomotion, double scale) : locomo
 
 Contacts SoleMeter::watch(const track::Track &track, const Ground &ground, bool held) const
 {
+    const auto shown = [&](double) -> const track::Track & { return track; };
+    return watch(shown, track.start_s, track::end_of(track), ground, held);
+}
+
+Contacts SoleMeter::watch(const Shown &shown, double start_s, double end_s, const Ground &ground, bool held) const
+{
     const model::Template &tmpl = *locomotion_->tmpl;
     pose::Workspace work(tmpl.rig, &tmpl.motion);
     std::vector<Soleprint> prints[2];
@@ -86,8 +92,8 @@ Contacts SoleMeter::watch(const track::Track &track, const Ground &ground, bool 
     };
     std::vector<std::vector<Pull>> pulls(level.positions.size() / 3);
     for_influences(tmpl, [&](uint32_t v, uint32_t entry, double weight) { pulls[v].push_back({entry, weight}); });
-    for (double t = 0; t <= track.length_s; t += sample_s) {
-        const double time_s = track.start_s + t;
+    for (double time_s = start_s; time_s <= end_s; time_s += sample_s) {
+        const track::Track &track = shown(time_s);
         const track::State state = track::state_at(track, time_s);
         pose::Layer layers[3];
         pose::PoseJob job = work.job();
@@ -101,7 +107,7 @@ Contacts SoleMeter::watch(const track::Track &track, const Ground &ground, bool 
         const glm::dvec3 body = state.position * track.metres_per_unit;
         for (int f = 0; f < 2; ++f) {
             Soleprint print;
-            print.time_s = t, print.body = {body.x, body.z};
+            print.time_s = time_s, print.body = {body.x, body.z};
             for (const uint32_t v : soles_[f].vertices) {
                 const float *at = level.positions.data() + 3 * size_t(v);
                 glm::dvec3 p(0);
