@@ -194,6 +194,14 @@ Reach reach_of(const FootTarget &target, const Columns *globals)
     if (target.y != 0) shift.y = within(shift.y + target.weight * target.y);
     out.wanted = out.foot + shift;
     out.wanted.y += sink;
+    if (target.slope != 0) {
+        // The foot as it stands on level ground, tilted about the place of its ball.
+        const glm::vec3 ball(turned.x - flat.x + shift.x, target.weight * target.y, turned.z - flat.z + shift.z);
+        const float slope = target.weight * target.slope;
+        const Turn tilt = between(glm::vec3(0, 1, 0), glm::vec3(-slope * ahead.x, 1, -slope * ahead.z));
+        out.wanted = ball + tilt * (out.wanted - ball);
+        out.turn = tilt * out.turn;
+    }
     out.thigh = length(out.knee - out.hip), out.shin = length(out.ankle - out.knee);
     return out;
 }

@@ -50,7 +50,8 @@ struct FootTarget {
         -HUGE_VALF;  // the height below which that point does not come, as far as it is not moved to the ground
     // Of the ground below a planted foot; in the air how far the foot is moved up. At 0 the ground is level.
     float y = 0;
-    float sink = 0;  // by which the whole body has been lowered (PoseJob::run); of both feet the same
+    float slope = 0;  // of that ground, in the direction of the foot: how much it rises in one unit
+    float sink = 0;   // by which the whole body has been lowered (PoseJob::run); of both feet the same
 };
 
 // The nodes below `node` with it, without those below `end` (none: all), ascending except for `node` itself, which

@@ -12,6 +12,7 @@ namespace
 
 constexpr double clear_share = 0.35;   // of a swing, in which a foot gets to the height of its next tread
 constexpr double level_again_s = 0.3;  // where no plant says more of the ground
+constexpr double half_step = 0.45;     // of a leg's length, that a foot is before or behind the body
 
 double shorter(double angle_rad) { return nearest_turn(angle_rad, 0); }
 
@@ -28,13 +29,13 @@ double height_of(const Track &track, const State &state)
 Correction at_begin(const Plant &plant, double heading_rad, double body_y)
 {
     return {double(plant.begin_x), double(plant.begin_z), shorter(double(plant.heading_rad) - heading_rad),
-            height_of(plant, body_y)};
+            height_of(plant, body_y), double(plant.slope)};
 }
 
 Correction at_end(const Plant &plant, double heading_rad, double body_y)
 {
     return {double(plant.end_x), double(plant.end_z), shorter(double(plant.heading_rad) - heading_rad),
-            height_of(plant, body_y)};
+            height_of(plant, body_y), double(plant.slope)};
 }
 
 // A foot clears the edges of treads: it goes up early and down late.
@@ -63,6 +64,9 @@ Correction correction_at(const Track &track, const State &state, int foot, doubl
     const double gone_s = time_s - track.start_s;
     const uint32_t i = plant_at(track, foot, gone_s);
     Correction out;
+    // For a foot that is ahead of the body or behind it on a slope.
+    const double step_m = half_step * double(track.locomotion->leg_length) * track.scale;
+    const auto room = [step_m](double slope) { return std::fabs(slope) * step_m; };
     const bool before = i > 0, after = i < plants.size();
     const double body_y = height_of(track, state), heading = state.heading_rad;
     if (before && after) {
@@ -70,13 +74,13 @@ Correction correction_at(const Track &track, const State &state, int foot, doubl
         const double part = eased((gone_s - begin) / (end - begin));
         const Correction a = at_end(plants[i - 1], heading, body_y), b = at_begin(plants[i], heading, body_y);
         out = {a.x + (b.x - a.x) * part, a.z + (b.z - a.z) * part, a.turn_rad + (b.turn_rad - a.turn_rad) * part,
-               raised(a.y, b.y, (gone_s - begin) / (end - begin))};
+               raised(a.y, b.y, (gone_s - begin) / (end - begin)), a.slope + (b.slope - a.slope) * part};
     } else if (before) {
         out = at_end(plants[i - 1], heading, body_y);
-        out.y *= 1 - eased((gone_s - double(plants[i - 1].end_s)) / level_again_s);
+        out.y += (room(out.slope) - out.y) * eased((gone_s - double(plants[i - 1].end_s)) / level_again_s);
     } else if (after) {
         out = at_begin(plants[i], heading, body_y);
-        out.y *= 1 - eased((double(plants[i].begin_s) - gone_s) / level_again_s);
+        out.y += (room(out.slope) - out.y) * eased((double(plants[i].begin_s) - gone_s) / level_again_s);
     }
     const Swing &swing = track.swings[foot];
     if (gone_s < double(swing.until_s)) {
@@ -108,7 +112,7 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
         target.planted = true;
         set(double(plant.x) - body.x, double(plant.z) - body.z);
         correction.turn_rad = shorter(double(plant.heading_rad) - state.heading_rad);
-        correction.y = height_of(plant, height_of(track, state));
+        correction.y = height_of(plant, height_of(track, state)), correction.slope = double(plant.slope);
         const double edge = std::fmin(gone_s - double(plant.begin_s), double(plant.end_s) - gone_s);
         target.ground = static_cast<float>(eased(edge / landing_s));
     } else {
@@ -122,6 +126,7 @@ pose::FootTarget foot_at(const Track &track, const State &state, int foot, doubl
     const double turn = std::fmax(-max_foot_turn_rad, std::fmin(max_foot_turn_rad, correction.turn_rad));
     target.turn_rad = static_cast<float>(turn);
     target.y = static_cast<float>(correction.y / track.scale);
+    target.slope = static_cast<float>(correction.slope);
     target.sink = static_cast<float>(sink_at(track, time_s) / track.scale);
     return target;
 }

@@ -18,10 +18,15 @@ constexpr double along[] = {0.42, 0, -0.35, -0.76};
 constexpr double ball_to_heel = 0.6;  // of the sole's length (sole.cpp)
 // A metre of stone that stands in a foot's way counts as one, so much the air below its sole, and a metre moved.
 constexpr double air_cost = 0.3, move_cost = 0.25;
-constexpr double edge_m = 0.05;  // less than this is a slope, on which the foot stays at the height of its ball
+constexpr double steepest = max_slope;
+// Samples in which a path comes by, and those on either side over which its slope is taken.
+constexpr uint32_t window = 75, beside = 12, farthest = 200;
+constexpr double least_way_m = 0.1;  // without which there is no slope
+constexpr double edge_m = 0.05;      // less than this is a slope, on which the foot stays at the height of its ball
 
 struct Fit {
     double ball = NAN, above = 0, below = 0;  // metres; of the ground over and under the height at the ball
+    double rise = 0;                          // from the end of the sole to its tip
 
     double cost() const { return above + air_cost * below; }
 };
@@ -61,6 +66,7 @@ void Footing::settle(Stance &stance, double body_y) const
             const double at = shift_m + part * sole_m_;
             const double y = part == 0 ? fit.ball : height(stance.x + at * ahead_x, stance.z + at * ahead_z, body_y);
             fit.above = std::fmax(fit.above, y - fit.ball), fit.below = std::fmax(fit.below, fit.ball - y);
+            if (std::isfinite(y)) fit.rise += part > 0.3 ? y : part < -0.7 ? -y : 0;
         }
         return fit;
     };
@@ -75,6 +81,33 @@ void Footing::settle(Stance &stance, double body_y) const
     if (!std::isfinite(best.ball)) return;
     stance.x += best_m * ahead_x, stance.z += best_m * ahead_z;
     stance.y = best.ball + (best.above > edge_m ? best.above : 0);
+    // On an edge a foot stays level.
+    const double slope = best.rise / ((along[0] - along[3]) * sole_m_);
+    if (best.above + best.below < edge_m && std::fabs(slope) < steepest) stance.slope = slope;
+}
+
+void Footing::follow_path(const FinePath &path, uint32_t near, Stance &stance)
+{
+    const auto away = [&](uint32_t i) {
+        const double x = stance.x - path.x[i], z = stance.z - path.z[i];
+        return x * x + z * z;
+    };
+    uint32_t at = near;
+    for (uint32_t i = near > window ? near - window : 0; i < path.count() && i <= near + window; ++i)
+        if (away(i) < away(at)) at = i;
+    // Over a stand, too, as far as the person walks on either side of it.
+    double x = 0, z = 0, rise = 0, way = 0;
+    for (uint32_t half = beside; half <= farthest && way < least_way_m; half *= 2) {
+        const uint32_t first = at > half ? at - half : 0, last = std::min(at + half, path.count() - 1);
+        x = path.x[last] - path.x[first], z = path.z[last] - path.z[first], rise = path.y[last] - path.y[first];
+        way = std::sqrt(x * x + z * z);
+    }
+    const double slope = way > least_way_m ? rise / way : 0;
+    if (!(std::fabs(slope) < steepest)) return;
+    const double ahead_x = math::sin(stance.heading_rad), ahead_z = math::cos(stance.heading_rad);
+    const double beyond = way > 0 ? ((stance.x - path.x[at]) * x + (stance.z - path.z[at]) * z) / way : 0;
+    stance.y = path.y[at] + slope * beyond;
+    stance.slope = way > 0 ? slope * (ahead_x * x + ahead_z * z) / way : 0;
 }
 
 }  // namespace claque::track

@@ -120,7 +120,7 @@ uint64_t hash_of(const Track &track)
         for (const Plant &plant : plants) h = base::fnv(h, &plant, level_plant_bytes);
     for (const Array<Plant> &plants : track.plants)
         for (const Plant &plant : plants)
-            if (track.climbs) add(plant.y);
+            if (track.climbs) add(plant.y), add(plant.slope);
     h = base::fnv(h, track.sinks.data(), track.sinks.size() * sizeof(uint16_t));
     h = base::fnv(h, track.shoulders.data(), track.shoulders.size() * sizeof(ShoulderTurn));
     h = base::fnv(h, track.ahead.data(), track.ahead.size() * sizeof(uint16_t));

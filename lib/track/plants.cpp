@@ -16,6 +16,7 @@ namespace
 
 constexpr uint32_t min_plant = 4;  // samples: shorter contacts are no steps
 constexpr uint32_t min_swing = 3;
+constexpr double least_relief_m = 0.01;  // of a path whose ground is not level
 // Of a straight leg's reach, and of how far a foot may be moved: clips to stand with move hips and feet.
 constexpr double leg_share = 0.97, shift_share = 0.8;
 
@@ -43,7 +44,8 @@ struct Foot {
     Array<double> yaw;                  // to which it points in the world
     Array<uint8_t> down;
     const Footing *footing = nullptr;
-    double leg_m = 0;  // its length
+    double leg_m = 0;           // its length
+    bool follows_path = false;  // the ground is known from the path alone
 };
 
 Foot feet_of(const Locomotion &locomotion, const FinePath &path, double scale_m, int f)
@@ -101,11 +103,14 @@ Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact,
 {
     if (!held) {
         Stance stance{mean(foot.x, contact), mean(foot.z, contact), mean(foot.yaw, contact)};
-        foot.footing->settle(stance, path.y[contact.first + (contact.last - contact.first) / 2]);
+        const uint32_t middle = contact.first + (contact.last - contact.first) / 2;
+        foot.footing->settle(stance, path.y[middle]);
+        if (foot.follows_path) Footing::follow_path(path, middle, stance);
         return stance;
     }
     const double heading = foot.yaw[contact.first];
-    return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading), double(held->y)};
+    return {double(held->x), double(held->z), nearest_turn(double(held->heading_rad), heading), double(held->y),
+            double(held->slope)};
 }
 
 // How much of what its leg can do a foot needs at a sample to be at a place: the distance from where the clips have it,
@@ -218,7 +223,7 @@ Plant plant_of(const Foot &foot, const FinePath &path, const Contact &contact, c
     plant.end_s = seconds(contact.last);
     plant.x = static_cast<float>(place.x), plant.z = static_cast<float>(place.z);
     plant.heading_rad = static_cast<float>(place.heading_rad);
-    plant.y = static_cast<float>(place.y);
+    plant.y = static_cast<float>(place.y), plant.slope = static_cast<float>(place.slope);
     plant.begin_x = static_cast<float>(place.x - foot.x[contact.first]);
     plant.begin_z = static_cast<float>(place.z - foot.z[contact.first]);
     plant.end_x = static_cast<float>(place.x - foot.x[contact.last]);
@@ -235,6 +240,7 @@ void make_plants(const Locomotion &locomotion, const BuildSettings &settings, co
     for (int f = 0; f < 2; ++f) {
         Foot foot = feet_of(locomotion, path, out.scale, f);
         const Footing footing(settings, locomotion, out, f);
+        foot.follows_path = !settings.ground && out.height_step_m * 65535 > least_relief_m;
         foot.footing = &footing, foot.leg_m = double(locomotion.leg_length) * out.scale;
         const CarriedFoot carried = path.previous ? carried_foot(*path.previous, f) : CarriedFoot();
         Begun begun;

@@ -30,6 +30,7 @@ constexpr double max_foot_turn_rad = 0.7;  // of a foot against its body
 constexpr double landing_s = 0.08;         // in which the ground takes hold of a foot and lets it go
 // The height over the ground that a sole keeps in the air, and how much more it rises to, in so many seconds.
 constexpr double clear_m = 0.012, mid_swing_m = 0.012, rise_s = 0.15;
+constexpr double max_slope = 0.3;  // to which feet tilt
 constexpr float max_shoulder_turn_rad = 0.6f;
 constexpr uint8_t stands_flag = 1;
 constexpr uint32_t idle_shift = 1, idle_mask = 3, turn_shift = 3;
@@ -44,14 +45,15 @@ struct Plant {
     float heading_rad = 0;  // to which the foot points
     // How far the clips' own foot is from there, when the foot comes down and when it is lifted.
     float begin_x = 0, begin_z = 0, end_x = 0, end_z = 0;
-    float y = NAN;  // of the ground; NaN: unknown, the foot stands at the height of the body's own place
+    float y = NAN;    // of the ground; NaN: unknown, the foot stands at the height of the body's own place
+    float slope = 0;  // of the ground, in the direction of the foot
 };
 constexpr size_t level_plant_bytes = offsetof(Plant, y);  // without the height
 
 // The way from where the clips have a foot to where it is shown, in the air.
 struct Correction {
     double x = 0, z = 0, turn_rad = 0;
-    double y = 0;
+    double y = 0, slope = 0;
 };
 
 // Of a piece whose border cuts the swing of a foot: what the piece before showed besides, fading until it lands.

@@ -47,7 +47,7 @@ template <class Archive, class T>
 void walk_heights(Archive &a, T &track)
 {
     for (auto &plants : track.plants)
-        for (auto &plant : plants) a.value(plant.y);
+        for (auto &plant : plants) a.value(plant.y), a.value(plant.slope);
     for (auto &swing : track.swings) a.value(swing.y);
     a.array(track.sinks, 2, [&](auto &sink) { a.value(sink); });
 }
@@ -57,7 +57,8 @@ void check_heights(const Track &track)
     const auto bad = [](float y) { return std::isinf(y) || std::fabs(double(y)) > highest_m; };
     for (const Array<Plant> &plants : track.plants)
         for (const Plant &plant : plants)
-            if (bad(plant.y)) fail(CLQ_FORMAT, "a step of a saved track is at an impossible height");
+            if (bad(plant.y) || !(std::fabs(double(plant.slope)) <= max_slope + 1e-6))
+                fail(CLQ_FORMAT, "a step of a saved track is at an impossible height");
     if (!track.sinks.empty() && track.sinks.size() != track.samples.size())
         fail(CLQ_FORMAT, "a saved track has %zu samples, but %zu of its hips", track.samples.size(),
              track.sinks.size());
