@@ -156,8 +156,9 @@ protected:
         const clq_trajectory_sample *samples = clq_trajectories_get_samples(read_) + person.first_sample;
         std::vector<clq_track_point> points;
         for (uint64_t i = 0; i < person.sample_count; ++i)
+            // On level ground: slopes are contact_law_test.cpp's.
             points.push_back(
-                {samples[i].time_s, {samples[i].x, samples[i].z, -samples[i].y}, samples[i].heading_rad + 1.5707963f});
+                {samples[i].time_s, {samples[i].x, 0, -samples[i].y}, samples[i].heading_rad + 1.5707963f});
         return points;
     }
 
