@@ -69,6 +69,7 @@ public:
             }
     }
     double nearest() const { return std::sqrt(nearest_m); }
+    clq_navigation *navigation() const { return held_.navigation; }
 
     std::vector<Person> people;
 
@@ -266,6 +267,34 @@ TEST(Queues, FormLanesWherePeopleMeet)
             EXPECT_GE(round.median_m_s, 0.7 * weidmann_m_s(people_per_m2)) << people_per_m2;
             EXPECT_GE(round.nearest_m, 2 * body_m - 0.001) << people_per_m2;
         }
+}
+
+// Nobody trembles: they came, and stand.
+TEST(Queues, StandStillBehindAClosedDoor)
+{
+    floors::Floor hall;
+    hall.outlines.reserve(64);
+    hall.add(-8, -16, 8, 13);
+    hall.wall(-8.5, 0, -1, 0.3);
+    hall.wall(1, 0, 8.5, 0.3);
+    hall.door(-1, 0, 1, 0.3);
+    Crowd crowd(hall, 1);
+    EXPECT_EQ(clq_navigation_set_door(crowd.navigation(), 0, false), CLQ_OK);
+    while (crowd.people.size() < 100) crowd.add(crowd.number(-7.5, 7.5), crowd.number(-15.5, -1));
+    for (const Person &one : crowd.people) crowd.go(one, 0, 11.5, 0.5f);
+    for (double time_s = 0; time_s < 40; time_s += tick_s) crowd.step();
+    const std::vector<Person> before = crowd.people;
+    std::vector<bool> moved(before.size());
+    size_t at_the_door = 0;
+    for (double time_s = 0; time_s < 2; time_s += tick_s) {
+        crowd.step();
+        for (size_t i = 0; i < before.size(); ++i)
+            if (std::hypot(crowd.people[i].x - before[i].x, crowd.people[i].z - before[i].z) > 0.02) moved[i] = true;
+    }
+    for (const Person &one : before) at_the_door += std::hypot(one.x, one.z) < 5;
+    EXPECT_GT(at_the_door, 90u);
+    EXPECT_LE(std::count(moved.begin(), moved.end(), true), 3);
+    EXPECT_GE(crowd.nearest(), 2 * body_m - 0.001);
 }
 
 }  // namespace queues
