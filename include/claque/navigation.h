@@ -2,9 +2,8 @@
  *
  * A navigation is the ground on which people can walk, made once from triangles by Recast: a scene's geometry, or a
  * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and keeps
- * apart from the others, in ticks of fixed length: no two bodies ever touch (docs/navigation.md). What they did is
- * published as pieces of tracks (claque/track.h), with gait and steps, that never change afterwards; any crowd shows
- * them, and any file keeps them.
+ * apart from the others, in ticks of fixed length: no two bodies ever touch (docs/navigation.md). They publish what
+ * they did as pieces of tracks (claque/track.h), which never change afterwards; any crowd shows them.
  *
  * The result is a function of the calls: equal calls give equal bits, whatever the threads.
  *
@@ -32,13 +31,11 @@ typedef struct clq_prism {
 } clq_prism;
 
 /* A part of the ground beside the ways, such as the strip before a row of seats. A walker enters it only if its goal
- * lies in a byway of the same group, and may leave it anywhere. A crowd then pushes no walker into a row where it has
- * no seat. */
+ * lies in a byway of the same group, and may leave it anywhere. */
 typedef struct clq_byway {
     clq_prism prism;
     uint32_t group; /* [0, CLQ_BYWAY_GROUPS - 1] */
 } clq_byway;
-
 #define CLQ_BYWAY_GROUPS 13
 
 typedef struct clq_navigation_def {
@@ -62,8 +59,7 @@ typedef struct clq_navigation_def {
     float max_slope_deg; /* [0, 85] default 40 */
     float max_step_m;    /* [0, 2] default 0.25 */
     float cell_m;        /* [0.02, 2] of the grid; widths are right to a cell. 0 (default): half of radius_m */
-    /* The number of cells that all triangles cover is at most this: it bounds time and memory, some 40 bytes each.
-     * Default 40 000 000 */
+    /* Most cells that all triangles cover, of some 40 bytes each. Default 40 000 000 */
     uint64_t max_cells;
 } clq_navigation_def;
 
@@ -135,8 +131,7 @@ CLQ_DEFINE_ZERO_INIT(clq_way)
 CLQ_API clq_status clq_navigation_find_way(const clq_navigation *navigation, const double from[3], const double to[3],
                                            uint32_t max_points, double *points, clq_way *out);
 
-/* The time gap and the body of people who hurry, as in experiments with volunteers: doors of 0.5 and 3 m let as many
- * through as were measured. Bodies so narrow have their shoulders turned. */
+/* People who hurry, shoulders turned: doors of 0.5 and 3 m let as many through as were measured with volunteers. */
 #define CLQ_HURRIED_TIME_GAP_S 0.8f
 #define CLQ_HURRIED_RADIUS_M 0.17f
 
@@ -150,8 +145,7 @@ typedef struct clq_walkers_def {
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
     /* [0, 5] seconds that a walker keeps to the one ahead: its speed is at most the gap between the bodies, 0.3 s
-     * later, divided by this. 0: it walks at full speed until it would touch. Default 1.05: doors then let 1.4 to 1.7
-     * people a second and metre through (docs/navigation.md); CLQ_HURRIED_TIME_GAP_S: people who hurry */
+     * later, divided by this. 0: it walks at full speed until it would touch. Default 1.1 (docs/navigation.md) */
     float time_gap_s;
     /* As in clq_track_def: where feet stand on uneven ground, such as stairs that the navigation has as ramps. Called
      * by clq_walkers_step, or by clq_stage_step, on the calling thread. Give the same function of points after a
@@ -171,7 +165,7 @@ static inline clq_walkers_def clq_walkers_def_init(void)
     def.piece_ticks = 10;
     def.plans = 32;
     def.smooth_s = 0.6f;
-    def.time_gap_s = 1.05f;
+    def.time_gap_s = 1.1f;
     return def;
 }
 

@@ -14,6 +14,8 @@ namespace
 
 constexpr float off_wall_m = 0.02f;  // that a walker keeps from a wall: it turns round corners, not on them
 
+constexpr float rounding_m = 1e-6f;  // two walls that share an end have the same limit there
+
 struct Limit {
     Flat normal;
     float most;  // of the displacement along it, at least 0
@@ -41,7 +43,7 @@ struct Limits {
             const float slope = dot(along, all[j].normal), room = all[j].most - dot(on, all[j].normal);
             if (slope > 1e-6f) high = std::min(high, room / slope);
             else if (slope < -1e-6f) low = std::max(low, room / slope);
-            else if (room < 0) return false;
+            else if (room < -rounding_m) return false;
         }
         if (low > high) return false;
         const float t = std::clamp(dot(wanted, along), low, high);
@@ -52,7 +54,7 @@ struct Limits {
     {
         Flat best = wanted;
         for (size_t i = 0; i < count; ++i)
-            if (dot(best, all[i].normal) > all[i].most && !nearest_on(i, wanted, best))
+            if (dot(best, all[i].normal) > all[i].most + rounding_m && !nearest_on(i, wanted, best))
                 return {};  // rounding alone leads here
         return best;
     }

@@ -59,15 +59,24 @@ struct Surroundings {
     const Near *end() const { return near.data() + near_count; }
 };
 
+// A turn of a way, in the plane of the mesh, and how far it is along the way.
+struct Corner {
+    Flat at;
+    float left_m = 0;
+};
+constexpr int max_shared = 8;
+
 // What a walker would do alone.
 struct Wish {
-    Flat direction;        // of length 1: of its way
-    Flat onward;           // of length 1: to a place some steps ahead on its way
-    float speed = 0;       // 0: it goes nowhere
-    float time_gap_s = 0;  // to the one before it
-    float in_sight_m = 0;  // of its way, up to its goal
-    float left_m = 0;      // of its way, as far as it is known
-    Flat heading;          // of length 1: of its movement now; 0: it stands
+    Flat direction;                          // of length 1: of its way
+    Flat onward;                             // of length 1: to a place some steps ahead on its way
+    float speed = 0;                         // 0: it goes nowhere
+    float time_gap_s = 0;                    // to the one before it
+    float in_sight_m = 0;                    // of its way, up to its goal
+    float left_m = 0;                        // of its way, as far as it is known
+    std::array<Corner, max_shared> corners;  // the next ones and the last one
+    int corner_count = 0;
+    Flat heading;  // of length 1: of its movement now; 0: it stands
     float speed_now = 0;
 };
 

@@ -12,6 +12,7 @@ namespace
 
 constexpr float wide_m = 0.1f;     // round a corner
 constexpr float passed_m = 0.06f;  // a corner so near is passed
+constexpr int max_corners = 48;    // up to which its way is measured
 constexpr float onward_m = 2.5f;   // along its way: where two of a queue go the same way
 constexpr float rounding_m = 1e-4f;
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
@@ -56,21 +57,25 @@ void Walkers::look_along(uint32_t i)
     const float speed = length_of(a.vel[0], a.vel[2]);
     if (speed > still_m_s) wish.speed_now = speed, wish.heading = {a.vel[0] / speed, a.vel[2] / speed};
     if (body.state != CLQ_WALKER_WALKS || a.targetState != DT_CROWDAGENT_TARGET_VALID) return;
-    a.ncorners = a.corridor.findCorners(a.cornerVerts, a.cornerFlags, a.cornerPolys, DT_CROWDAGENT_MAX_CORNERS,
-                                        mesh_.query.get(), filter(a));
-    if (a.ncorners == 0) return;
+    float corners[3 * max_corners];
+    unsigned char flags[max_corners];
+    dtPolyRef polygons[max_corners];
+    const int count = a.corridor.findCorners(corners, flags, polygons, max_corners, mesh_.query.get(), filter(a));
+    a.ncorners = std::min(count, DT_CROWDAGENT_MAX_CORNERS);
+    std::copy(corners, corners + 3 * a.ncorners, a.cornerVerts);
+    if (count == 0) return;
     a.corridor.optimizePathVisibility(a.cornerVerts + 3 * std::min(1, a.ncorners - 1), a.params.pathOptimizationRange,
                                       mesh_.query.get(), filter(a));
     Flat here;
     float first_m = 0;
-    for (int k = 0; k < a.ncorners; ++k) {
-        const Flat corner = {a.cornerVerts[3 * k] - a.npos[0], a.cornerVerts[3 * k + 2] - a.npos[2]};
+    for (int k = 0; k < count; ++k) {
+        const Flat corner = {corners[3 * k] - a.npos[0], corners[3 * k + 2] - a.npos[2]};
         const Flat leg = {corner.x - here.x, corner.z - here.z};
         const float leg_m = length_of(leg);
         if (!(first_m > passed_m)) {
             wish.direction = corner;
-            if (k + 1 < a.ncorners) {
-                const Flat next = {a.cornerVerts[3 * k + 3] - a.npos[0], a.cornerVerts[3 * k + 5] - a.npos[2]};
+            if (k + 1 < count) {
+                const Flat next = {corners[3 * k + 3] - a.npos[0], corners[3 * k + 5] - a.npos[2]};
                 const Flat in = unit(corner), out = unit({next.x - corner.x, next.z - corner.z});
                 const Flat wide = {in.x - out.x, in.z - out.z};
                 const float bend = length_of(wide);
@@ -85,6 +90,8 @@ void Walkers::look_along(uint32_t i)
         }
         wish.left_m += leg_m;
         here = corner;
+        wish.corner_count = std::min(wish.corner_count + 1, max_shared);
+        wish.corners[static_cast<size_t>(wish.corner_count - 1)] = {{corners[3 * k], corners[3 * k + 2]}, wish.left_m};
     }
     // Beyond the last corner that is known, as the crow flies.
     wish.left_m +=
@@ -94,7 +101,7 @@ void Walkers::look_along(uint32_t i)
     wish.onward = length_of(wish.onward) > 0.01f ? unit(wish.onward) : wish.direction;
     wish.speed = body.speed;
     wish.in_sight_m = INFINITY;
-    if (a.ncorners > 1 || !(a.cornerFlags[0] & DT_STRAIGHTPATH_END)) return;
+    if (count > 1 || !(flags[0] & DT_STRAIGHTPATH_END)) return;
     wish.in_sight_m = first_m;
     wish.speed *= std::min(1.0f, first_m / (2 * a.params.radius));
 }

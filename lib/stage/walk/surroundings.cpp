@@ -51,11 +51,18 @@ bool Walkers::stays(uint32_t i) const
     return !goes && length_of(a.vel[0], a.vel[2]) <= still_m_s;
 }
 
-// Of two walkers that go the same way, the one that has farther to go gives way.
+// Of two walkers that go the same way, the one that is farther from the first turn of both gives way; where they share
+// none, the one that has farther to go.
 bool Walkers::gives_way(uint32_t k, uint32_t i) const
 {
     const Wish &other = scratch_.wishes[k], &own = scratch_.wishes[i];
     if (!(other.speed > 0) || !(own.speed > 0) || dot(other.onward, own.onward) < same_way) return false;
+    for (int a = 0; a < own.corner_count; ++a)
+        for (int b = 0; b < other.corner_count; ++b) {
+            const Corner &mine = own.corners[static_cast<size_t>(a)], &its = other.corners[static_cast<size_t>(b)];
+            if (mine.at.x != its.at.x || mine.at.z != its.at.z) continue;
+            return its.left_m > mine.left_m || (its.left_m == mine.left_m && k > i);
+        }
     return other.left_m > own.left_m || (other.left_m == own.left_m && k > i);
 }
 
