@@ -10,11 +10,11 @@ namespace claque::walk
 namespace
 {
 
-constexpr float wide_m = 0.1f;     // round a corner
-constexpr float passed_m = 0.06f;  // a corner so near is passed
-constexpr int max_corners = 48;    // up to which its way is measured
-constexpr float onward_m = 2.5f;   // along its way: where two of a queue go the same way
-constexpr float rounding_m = 1e-4f;
+constexpr float wide_m = 0.1f;       // round a corner
+constexpr float passed_m = 0.06f;    // a corner so near is passed
+constexpr int max_corners = 48;      // up to which its way is measured
+constexpr float onward_m = 2.5f;     // along its way: where two of a queue go the same way
+constexpr float slack_m = 1e-4f;     // by which a move may exceed its share
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
 
 float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }
@@ -132,7 +132,7 @@ void Walkers::move(uint32_t i)
     a.corridor.movePosition(to.data(), mesh_.query.get(), filter(a));
     const Flat made = {a.corridor.getPos()[0] - from[0], a.corridor.getPos()[2] - from[2]};
     const bool keeps_apart = std::all_of(around.begin(), around.end(), [&](const Near &other) {
-        return dot(made, other.at) <= (std::max(0.0f, other.gap() * other.share) + rounding_m) * other.distance;
+        return dot(made, other.at) <= (std::max(0.0f, other.gap() * other.share) + slack_m) * other.distance;
     });
     if (!keeps_apart) a.corridor.movePosition(from.data(), mesh_.query.get(), filter(a));
     std::copy(a.corridor.getPos(), a.corridor.getPos() + 3, a.npos);

@@ -18,7 +18,7 @@ const double body_m = double(clq_walker_def_init().radius_m);
 unsigned seeds()
 {
     const char *wanted = std::getenv("CLAQUE_QUEUE_SEEDS");
-    return wanted ? static_cast<unsigned>(std::atoi(wanted)) : 1;
+    return wanted ? unsigned(std::atoi(wanted)) : 1;
 }
 
 struct Person {
@@ -133,7 +133,6 @@ Passage through_a_door(double width_m, size_t count, unsigned seed)
 // A corridor that ends where it begins, with its middle 10 m from the centre.
 struct Ring {
     double width_m, inner_m = 10 - width_m / 2, outer_m = 10 + width_m / 2;
-
     double area_m2() const { return pi * (outer_m * outer_m - inner_m * inner_m); }
     floors::Floor floor() const
     {
@@ -219,20 +218,19 @@ double weidmann_m_s(double people_per_m2) { return 1.34 * (1 - std::exp(-1.913 *
 
 TEST(Queues, PassDoorsAsMeasuredAndNobodyTouchesAnother)
 {
-    struct Door {
+    // Narrow doors: fewer at least, and longer pauses.
+    const struct {
         double width_m;
         size_t people;
         double least, most, longest_pause_s;
-    };
-    // Narrow doors: fewer at least, and longer pauses.
-    const Door doors[] = {{0.8, 80, 0.9, 1.7, 10},
-                          {1.0, 150, 0.9, 1.7, 10},
-                          {1.2, 150, 1.1, 1.9, 3},
-                          {2.0, 150, 1.1, 1.9, 3},
-                          {4.0, 300, 1.1, 1.9, 3}};
+    } doors[] = {{0.8, 80, 0.9, 1.7, 10},
+                 {1.0, 150, 0.9, 1.7, 10},
+                 {1.2, 150, 1.1, 1.9, 3},
+                 {2.0, 150, 1.1, 1.9, 3},
+                 {4.0, 300, 1.1, 1.9, 3}};
     for (unsigned seed = 1; seed <= seeds(); ++seed) {
         double lowest = HUGE_VAL, highest = 0;
-        for (const Door &door : doors) {
+        for (const auto &door : doors) {
             const Passage passage = through_a_door(door.width_m, door.people, seed);
             EXPECT_EQ(passage.left, 0u) << door.width_m;
             EXPECT_GE(passage.nearest_m, 2 * body_m - 0.001) << door.width_m;
