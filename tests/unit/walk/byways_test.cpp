@@ -87,6 +87,20 @@ TEST(Byways, OfOtherGroupsAreLeftAndEnteredOnOneWay)
 }
 
 // A short way through a byway, and a long way round.
+// A byway that two tiles of the ground share has polygons of both.
+TEST(Byways, AreLeftThroughTheirOwnPolygons)
+{
+    floors::Floor floor;
+    floor.outlines.reserve(64);
+    floor.add(0, 0, 30, 6);
+    floor.byway(8, 0, 18, 6, 1);
+    const Held held(floor);
+    const clq_walker walker = held.add(9, 3);
+    held.go(walker, 25, 3);
+    held.step(400);
+    EXPECT_EQ(held.info(walker).state, CLQ_WALKER_ARRIVED) << held.info(walker).position[0];
+}
+
 TEST(Byways, AreNoShortCuts)
 {
     Floor floor;

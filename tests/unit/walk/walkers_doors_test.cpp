@@ -23,6 +23,22 @@ TEST(WalkersAtADoor, StopBeforeItAndGoOnWhenItOpens)
     EXPECT_NEAR(held.info(walker).position[0], 15, 0.31);
 }
 
+// A door that two tiles of the ground share has polygons of both.
+TEST(WalkersAtADoor, WalkOutOfOneThatIsDeep)
+{
+    floors::Floor floor;
+    floor.outlines.reserve(64);
+    floor.add(0, 0, 30, 6);
+    floor.door(9, 0, 17, 6);
+    const Held held(floor);
+    const clq_walker walker = held.add(5, 3);
+    held.go(walker, 25, 3);
+    while (held.info(walker).position[0] < 10) held.step();
+    ASSERT_EQ(clq_navigation_set_door(held.navigation, 0, false), CLQ_OK);
+    held.step(400);
+    EXPECT_EQ(held.info(walker).state, CLQ_WALKER_ARRIVED) << held.info(walker).position[0];
+}
+
 TEST(WalkersAtADoor, WalkOutOfOneThatCloses)
 {
     const Held held(floors::two_rooms(true));
