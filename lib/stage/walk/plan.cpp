@@ -26,7 +26,6 @@ void Walkers::see_doors()
         if (!body.used()) continue;
         dtCrowdAgent &a = agent(i);
         a.params.queryFilterType = is_closed(mesh_, a.corridor.getFirstPoly()) ? everything_filter : open_filter;
-        a.boundary.reset();
         const dtPolyRef *path = a.corridor.getPath();
         const bool barred = std::any_of(path, path + a.corridor.getPathCount(),
                                         [&](dtPolyRef polygon) { return is_closed(mesh_, polygon); });
@@ -89,7 +88,6 @@ void Walkers::plan(uint32_t i)
     }
     body.state = CLQ_WALKER_WALKS;
     a.corridor.setCorridor(way_.end.data(), way_.polygons.data(), static_cast<int>(way_.polygons.size()));
-    a.boundary.reset();
     a.partial = !way_.complete;
     a.targetRef = way_.polygons.back();
     std::copy(way_.end.begin(), way_.end.end(), a.targetPos);

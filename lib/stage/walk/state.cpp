@@ -129,7 +129,6 @@ void Walkers::put_back(uint32_t i, const std::vector<dtPolyRef> &path, const flo
     if (!std::all_of(path.begin(), path.end(), exists)) bad_save("a walker's way is on another ground");
     a.corridor.reset(path[0], a.npos);
     a.corridor.setCorridor(target, path.data(), static_cast<int>(path.size()));
-    a.boundary.reset();
     a.state = DT_CROWDAGENT_STATE_WALKING;
     a.params.pathOptimizationRange = 30 * a.params.radius;
     check_saved(i);

@@ -139,13 +139,11 @@ void Walkers::move(uint32_t i)
     a.vel[0] = (a.npos[0] - from[0]) / tick_s, a.vel[2] = (a.npos[2] - from[2]) / tick_s;
 }
 
-// Arrivals, and the end of a stay in a closed door. The walls beside a walker are looked up again in each tick: they
-// would else be those of an earlier place, and a walker would be more than what can be saved of it.
+// Arrivals, and the end of a stay in a closed door.
 void Walkers::look_round(uint32_t i)
 {
     Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
-    a.boundary.reset();
     if (a.params.queryFilterType == everything_filter) {
         if (!(flags_of(mesh_, a.corridor.getFirstPoly()) & closed_flag)) {
             a.params.queryFilterType = open_filter;

@@ -118,7 +118,6 @@ void Walkers::see_walls(uint32_t i)
 {
     Surroundings &around = scratch_.around[i];
     dtCrowdAgent &a = agent(i);
-    a.boundary.reset();
     a.boundary.update(a.corridor.getFirstPoly(), a.npos, walls_m, mesh_.query.get(), filter(a));
     around.wall_count = 0;
     for (int k = 0; k < a.boundary.getSegmentCount() && around.wall_count < max_walls; ++k) {

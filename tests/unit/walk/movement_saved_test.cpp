@@ -11,8 +11,10 @@ TEST_F(Movement, ThatMakesRoomHasTheSameFutureWhenItIsRestored)
 {
     for (int at = 90; at <= 150; at += 6) {  // before the other one steps aside, meanwhile, and on its way back
         const auto movement = make();
-        movement->add(0, walker(8.1, 3), 0);
-        movement->add(1, walker(4, 3), 0);
+        stage::Walker stands = walker(8.1, 3), walks = walker(4, 3);
+        stands.radius_m = walks.radius_m = 0.28f;  // two do not fit into the opening
+        movement->add(0, stands, 0);
+        movement->add(1, walks, 0);
         movement->go(1, goal(12, 3, 1), 0);
         run(*movement, 0, at);
         const auto restored = restored_from(*movement);
