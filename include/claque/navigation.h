@@ -2,8 +2,8 @@
  *
  * A navigation is the ground on which people can walk, made once from triangles by Recast: a scene's geometry, or a
  * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and keeps
- * apart from the others, in ticks of fixed length: no two bodies ever touch (docs/navigation.md). They publish what
- * they did as pieces of tracks (claque/track.h), which never change afterwards; any crowd shows them.
+ * apart from the others, in ticks of fixed length: bodies that do not overlap never will (docs/navigation.md). They
+ * publish what they did as pieces of tracks (claque/track.h), which never change afterwards; any crowd shows them.
  *
  * The result is a function of the calls: equal calls give equal bits, whatever the threads.
  *

@@ -16,7 +16,7 @@ constexpr double half_step = 0.45;     // of a leg's length, that a foot is befo
 
 double shorter(double angle_rad) { return nearest_turn(angle_rad, 0); }
 
-// Of the ground below a foot over the body's own place.
+// The height of the ground below a foot, from the body's own place.
 double height_of(const Plant &plant, double body_y) { return std::isfinite(plant.y) ? double(plant.y) - body_y : 0; }
 
 // The height of the body, metres from the track's origin.

@@ -215,7 +215,7 @@ void measure_step(Locomotion &out, uint32_t step, pose::Workspace &work)
     double advance[phase_count] = {}, sum = 0;
     for (uint32_t p = 0; p < phase_count; ++p) {
         known[p] = supports[0][p] || supports[1][p];
-        // Of two feet that which is not just landing or leaving.
+        // The faster foot: the other one is landing or leaving.
         for (int f = 0; f < 2; ++f)
             if (supports[f][p]) advance[p] = std::max(advance[p], backwards(path, f, p));
     }

@@ -118,7 +118,7 @@ Stance stance_of(const Foot &foot, const FinePath &path, const Contact &contact,
 double strain(const Foot &foot, const FinePath &path, const Stance &place, uint32_t i, double max_shift_m)
 {
     const double turn = place.heading_rad - path.heading[i];
-    // Of the body, for the foot to be turned by so much against it.
+    // The place of the body if the foot is turned against it by an angle.
     const auto node = [&](double foot_turn) {
         const double heading = path.heading[i] + foot_turn, c = math::cos(heading), s = math::sin(heading);
         return glm::dvec2(foot.node_x[i] * c + foot.node_z[i] * s, -foot.node_x[i] * s + foot.node_z[i] * c);

@@ -1,5 +1,5 @@
-// Bodies that press to a door from all sides can stand in an arch, each held by two others. A strict order opens it: of
-// two that go the same way, the one that has farther to go gives way. It goes back, and those behind it.
+// Bodies that press to a door from all sides can stand in an arch, each held by two others. A strict order opens it: a
+// body gives way to a body of the same direction that is nearer to the door. It goes back, with the bodies behind it.
 #include <algorithm>
 
 #include "lib/stage/walk/walkers.h"

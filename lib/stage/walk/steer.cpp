@@ -1,8 +1,7 @@
 // Direction: the search of Moussaid, Helbing and Theraulaz (How simple rules determine pedestrian behavior and crowd
-// disasters, 2011): of some headings, the one that leads nearest to the goal before the first collision. Speed: the
-// collision-free speed model of Tordeux, Chraibi and Seyfried (2016): the gap to the next one ahead divided by a time.
-// Among people who come the other way a walker keeps behind those of its own way, so that lanes form.
-// Cost: 17 headings by the bodies and walls around.
+// disasters, 2011) takes the heading that leads nearest to the goal before the first collision. Among oncoming walkers
+// a walker keeps behind those of its own direction, and lanes form. Speed: the collision-free speed model of Tordeux,
+// Chraibi and Seyfried (2016) divides the gap ahead by a time. Cost: 17 headings times the bodies and walls around.
 #include "lib/stage/walk/steer.h"
 
 #include <algorithm>
@@ -58,7 +57,7 @@ float free_way(const Wall &wall, Flat direction, float reach)
     return way >= -0.01f && part >= 0 && part <= 1 ? std::clamp(way, 0.0f, reach) : reach;
 }
 
-// Of a heading among people who come the other way.
+// The cost of a heading among oncoming walkers.
 float lane_cost(const Wish &wish, const Surroundings &around, Flat heading)
 {
     float cost = 0;

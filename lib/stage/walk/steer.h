@@ -17,7 +17,7 @@ inline float dot(Flat a, Flat b) { return a.x * b.x + a.z * b.z; }
 inline float cross(Flat a, Flat b) { return a.x * b.z - a.z * b.x; }
 inline float length_of(Flat a) { return std::sqrt(dot(a, a)); }
 inline Flat times(Flat a, float s) { return {a.x * s, a.z * s}; }
-// Of length 1; 0 stays 0.
+// The vector of length 1 in the same direction; 0 stays 0.
 inline Flat unit(Flat a)
 {
     const float length = length_of(a);

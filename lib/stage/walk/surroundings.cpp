@@ -10,7 +10,7 @@ namespace claque::walk
 namespace
 {
 
-constexpr float sight_m = 2.5f;                      // of bodies
+constexpr float sight_m = 2.5f, room_m = 1.9f;       // of bodies: at least, and beyond two of the widest
 constexpr float storey_m = 1.5f;                     // bodies so far above each other are on different floors
 constexpr float walls_m = 2.0f;                      // of walls
 constexpr float opposite = -0.5f, same_way = -0.2f;  // cosines between two ways
@@ -35,12 +35,14 @@ bool face(Wall &wall)
 
 }  // namespace
 
+float Walkers::sight() const { return std::max(sight_m, 2 * def_.max_radius_m + room_m); }
+
 void Walkers::fill_cells()
 {
     scratch_.places.clear();
     for (uint32_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].used()) scratch_.places.push_back({i, agent(i).npos[0], agent(i).npos[2]});
-    scratch_.cells.fill(scratch_.places, sight_m);
+    scratch_.cells.fill(scratch_.places, sight());
 }
 
 // Neither goes on, nor is pushed by others.
@@ -51,8 +53,8 @@ bool Walkers::stays(uint32_t i) const
     return !goes && length_of(a.vel[0], a.vel[2]) <= still_m_s;
 }
 
-// Of two walkers that go the same way, the one that is farther from the first turn of both gives way; where they share
-// none, the one that has farther to go.
+// Walkers of one direction give way by distance: the farther one from the first corner of both ways, or from the goal
+// where the ways share no corner.
 bool Walkers::gives_way(uint32_t k, uint32_t i) const
 {
     const Wish &other = scratch_.wishes[k], &own = scratch_.wishes[i];
@@ -83,10 +85,11 @@ void Walkers::see_bodies(uint32_t i)
     Surroundings &around = scratch_.around[i];
     dtCrowdAgent &a = agent(i);
     around.near_count = 0, around.meets = false;
-    around.unseen_gap = sight_m - a.params.radius - def_.max_radius_m;
-    scratch_.cells.each(a.npos[0], a.npos[2], sight_m, [&](const Cells::Place &place) {
+    const float far = sight();
+    around.unseen_gap = far - a.params.radius - def_.max_radius_m;
+    scratch_.cells.each(a.npos[0], a.npos[2], far, [&](const Cells::Place &place) {
         const float x = place.x - a.npos[0], z = place.z - a.npos[2];
-        if (place.index == i || x * x + z * z > sight_m * sight_m) return;
+        if (place.index == i || x * x + z * z > far * far) return;
         if (std::fabs(agent(place.index).npos[1] - a.npos[1]) > storey_m) return;
         const Near near = near_of(i, place.index);
         Near *const first = around.near.data();

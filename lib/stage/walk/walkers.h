@@ -1,6 +1,6 @@
 // People on a navigation mesh, in ticks: each looks along its way, sees bodies and walls, chooses a velocity, gives
 // way, and moves by its share of the gaps at most. DetourCrowd holds the agents with their ways; its own update is not
-// called, so a tick depends on what is in this struct alone.
+// called, so a tick depends on this struct alone.
 #pragma once
 
 #include <DetourCrowd.h>
@@ -116,6 +116,7 @@ private:
     void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
     void go_back(uint32_t i, bool went_back);
     void look_along(uint32_t i);
+    float sight() const;
     void fill_cells();
     bool stays(uint32_t i) const;
     bool gives_way(uint32_t k, uint32_t i) const;
@@ -157,7 +158,7 @@ private:
         Flat away;
         bool listed = false, firmly = false;
     };
-    // Of one tick, by body.
+    // Each tick writes it anew, by body.
     struct Scratch {
         std::vector<Wish> wishes;
         std::vector<Surroundings> around;

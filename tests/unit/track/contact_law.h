@@ -25,8 +25,8 @@ WayFunction shuffle(double step_m, double every_s);
 // foot that goes to another place to rise, and none to go through the floor.
 void expect_law(const std::string &name, const Contacts &contacts);
 
-// Of people whose soles bend with shin and toes, as other people's skins do, or who run before their feet are down: no
-// vertex that is down gets far, no foot turns or sinks, and what goes to another place rises.
+// The law for characters of files, whose soles bend with shin and toes, or who run before their feet are down: no
+// vertex that is down gets far, no foot turns or sinks, and a foot that goes to another place rises.
 void expect_law_of_others(const std::string &name, const Contacts &contacts);
 
 // As printf, of two numbers at most.

@@ -21,7 +21,7 @@ public:
     explicit SoleMeter(const track::Locomotion &locomotion, double scale = 1);
     // Without `held` the feet are where the clips alone have them.
     Contacts watch(const track::Track &track, const Ground &ground = {}, bool held = true) const;
-    // Of pieces: that which shows a time.
+    // The piece that shows a time.
     using Shown = std::function<const track::Track &(double time_s)>;
     Contacts watch(const Shown &shown, double start_s, double end_s, const Ground &ground = {}, bool held = true) const;
 

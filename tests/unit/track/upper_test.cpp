@@ -224,7 +224,7 @@ TEST(Passings, OfTwoPeopleAreFoundForBoth)
 
 TEST(Shoulders, TurnAwayFromThePersonThatPasses)
 {
-    // Of several pairs, as a walk turns the shoulders too, to and fro.
+    // The mean of several pairs: a walk turns the shoulders too, to and fro.
     constexpr uint64_t seeds = 12;
     double farther = 0;
     for (uint64_t seed = 0; seed < seeds; ++seed) {

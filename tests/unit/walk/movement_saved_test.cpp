@@ -9,7 +9,7 @@ using walk_test::Movement;
 
 TEST_F(Movement, ThatMakesRoomHasTheSameFutureWhenItIsRestored)
 {
-    for (int at = 90; at <= 150; at += 6) {  // before the other one steps aside, meanwhile, and on its way back
+    for (int at = 40; at <= 160; at += 5) {  // before the other one steps aside, meanwhile, and on its way back
         const auto movement = make();
         stage::Walker stands = walker(8.1, 3), walks = walker(4, 3);
         stands.radius_m = walks.radius_m = 0.28f;  // two do not fit into the opening

@@ -73,6 +73,25 @@ TEST(WalkersOfAStage, ArriveWhereTheyAreSent)
     EXPECT_LT(floors::apart(held.info(walker).position, goal), 0.5);
 }
 
+TEST(WalkersOfAStage, ArriveWhateverTheirRadius)
+{
+    floors::Floor hall;
+    hall.outlines.reserve(64);
+    hall.add(0, 0, 30, 12);
+    clq_walkers_def def = clq_walkers_def_init();
+    def.max_radius_m = 2;
+    const Held held(hall, &def);
+    const clq_walker wide = held.add(4, 6, nullptr, 1.5f), other = held.add(26, 6.5, nullptr, 1.5f);
+    held.go(wide, 26, 6), held.go(other, 4, 6);
+    double nearest_m = HUGE_VAL;
+    for (int i = 0; i < 800; ++i) {
+        held.step();
+        nearest_m = std::min(nearest_m, floors::apart(held.info(wide).position, held.info(other).position));
+    }
+    for (const clq_walker one : {wide, other}) EXPECT_EQ(held.info(one).state, CLQ_WALKER_ARRIVED);
+    EXPECT_GE(nearest_m, 2.999);
+}
+
 TEST(WalkersOfAStage, KeepApartAndAllArrive)
 {
     const Held held(square());
