@@ -86,6 +86,9 @@ TEST_F(RecordCommand, ShowsTheWholeRecordAndFollowsAnActor)
                   .code,
               0);
     EXPECT_NE(picture_of(path("one.png")).rgb, picture_of(path("all-08.png")).rgb);
+    const Outcome early = claque({"play", path("run.clt"), "--size", "160x120", "--time", "1", "--camera", "follow:2",
+                                  "--out", path("early.png")});
+    EXPECT_NE(early.err.find("actor 2 is absent"), std::string::npos) << "ben comes after two seconds: " << early.err;
     for (const char *command : {"play", "labels"}) {
         const Outcome nobody = claque({command, path("run.clt"), "--size", "160x120", "--frames", "8", "--camera",
                                        "follow:4000", "--out", path("none-%d.png")});

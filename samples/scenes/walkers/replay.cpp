@@ -93,6 +93,7 @@ public:
         Box box = box_of(library, file_);
         if (!options.follow.empty()) {
             followed_ = number_of(options.follow);
+            followed_places_.emplace(library, file_);
             expect_actor(library, file_, *followed_, box.seen);
         }
         if (box.empty()) box = {{-5, 0, -5}, {5, 0, 5}, {}};
@@ -145,18 +146,16 @@ public:
     void draw_environment(const Gl &g, const Eye &eye) const override { plain_.draw(g, eye); }
 
 private:
-    // The actor that has this number now, whichever it is.
+    // The actor that has this number now, whichever it is. One whose track has ended is absent.
     void find_followed(double time_s)
     {
-        constexpr uint32_t most_generations = 2000;
-        for (uint32_t generation = 1; generation < most_generations; generation += 2) {
-            double matrix[16];
-            const clq_status status = clq_actor_get_node(crowd_.get(), {*followed_, generation}, 0, time_s, matrix);
-            if (status == CLQ_STALE_ID) continue;
-            check(status);
-            for (int k = 0; k < 3; ++k) followed_at_[k] = k == 1 ? plan_.ground : matrix[12 + k];
-            return;
-        }
+        bool found = false;
+        followed_places_->at(time_s, [&](clq_actor actor, const double *position) {
+            if (actor.index1 != *followed_) return;
+            found = true;
+            followed_at_[0] = position[0], followed_at_[1] = plan_.ground, followed_at_[2] = position[2];
+        });
+        if (found) return;
         clq_context_log(library_.context(), CLQ_LOG_WARNING,
                         ("actor " + std::to_string(*followed_) +
                          " is absent at some of the times shown: the camera that follows waits")
@@ -170,6 +169,7 @@ private:
     Plan plan_;
     Plain plain_;
     std::optional<uint32_t> followed_;
+    std::optional<RecordPlaces> followed_places_;
     double followed_at_[3] = {0, 0, 0};
 };
 

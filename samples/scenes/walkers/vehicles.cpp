@@ -29,7 +29,7 @@ struct Seat {
 constexpr Seat car_seats[] = {{2.3, 0.4}, {3.3, -0.4}, {3.3, 0.4}, {2.3, -0.4}};
 constexpr double bus_rows_from_m = 2.6, bus_row_m = 0.85, bus_rear_m = 0.6;
 constexpr double bus_across_m[] = {-0.95, 0.95, -0.45, 0.45};
-constexpr double hips_behind_feet_m = 0.40;
+constexpr double hips_behind_feet_m = 0.40, seat_m = 0.40, back_m = 0.85;
 // A rider that the file has beside a vehicle is at most half a bus away from its front.
 constexpr double beside_m = 6;
 
@@ -185,7 +185,18 @@ void Vehicles::build(const Vehicle &vehicle, const Stand &stand)
     Along along(boxes_, stand);
     along.sides(rear + 0.06, -0.06, 0.06 - half, half - 0.06, 0, double(skirt_m), dark);
     along.sides(rear, 0, -half, half, double(skirt_m), size.sill, paint);
-    along.lid(rear, 0, -half, half, size.floor + 0.02, dark);
+    along.lid(rear + 0.06, -0.06, 0.06 - half, half - 0.06, size.floor + 0.02, dark);
+    // The ledge between skirt and walls.
+    for (const double side : {-half, half - 0.06}) along.lid(rear, 0, side, side + 0.06, double(skirt_m), dark);
+    for (const double end : {rear, -0.06}) along.lid(end, end + 0.06, -half, half, double(skirt_m), dark);
+    const size_t seats = vehicle.is_bus() ? vehicle.most : std::size(car_seats);
+    for (size_t i = 0; i < seats; ++i) {
+        const Seat seat = seat_of(vehicle.is_bus(), i);
+        along.box(-seat.behind - 0.22, -seat.behind + 0.22, seat.right - 0.21, seat.right + 0.21, size.floor,
+                  size.floor + seat_m, dark);
+        along.box(-seat.behind - 0.30, -seat.behind - 0.22, seat.right - 0.21, seat.right + 0.21, size.floor,
+                  size.floor + back_m, dark);
+    }
     if (bonnet > 0) along.lid(-bonnet, 0, -half, half, size.sill, paint);
     along.box(rear, -bonnet, -half, half, head, size.height, paint);
     const double pace = vehicle.is_bus() ? 2.4 : 1.85, post = double(post_m);
