@@ -145,6 +145,12 @@ def lines_of(mutant, source):
     return range(text.count("\n", 0, first) + 1, text.count("\n", 0, change.end) + 2)
 
 
+def places_named(errors):
+    """The files and lines that a compiler's errors name. A header's path may be relative to the build's folder."""
+    copy = r"(?:/mutants/tree|(?<!\S)\.\./\.\.)/"
+    return set(re.findall(copy + r"([^\s:.][^\s:]*):(\d+):\d+:\s+(?:error|required|note)", errors))
+
+
 def built(mutants, source, targets, jobs):
     """Builds all, without those that do not compile where they are included; which are returned."""
     broken = []
@@ -153,7 +159,7 @@ def built(mutants, source, targets, jobs):
         if build(targets, jobs):
             return mutants, broken
         errors = LOG.read_text(errors="replace")
-        named = set(re.findall(r"/mutants/tree/([^\s:]+):(\d+):\d+:\s+(?:error|required|note)", errors))
+        named = places_named(errors)
         bad = [one for one in mutants if any((one.file, str(line)) in named for line in lines_of(one, source))] or \
             [one for one in mutants if one.file in {file for file, _ in named}]
         if not bad:

@@ -4,6 +4,7 @@ import sys
 
 sys.path.append(sys.path.pop(0))  # Python's own `random` comes first, which its other modules import
 
+import importlib.util
 import pathlib
 import subprocess
 import tempfile
@@ -164,6 +165,20 @@ int main() { return twice(4); }
             self.assertEqual(self.run_with(program, by_what["`sum += n` left out at 6"])[0], 3)
             self.assertEqual(self.run_with(program, by_what["+ -> - at 9"])[0], (3 - 8) % 256)
             self.assertEqual(set(by_what.values()) - reached, {by_what["- left out of `sum = -1` at 7"]})
+
+
+class Errors(unittest.TestCase):
+    def test_name_a_header_by_either_path(self):
+        spec = importlib.util.spec_from_file_location("draw", HERE / "random.py")
+        draw = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(draw)
+        errors = """/a/mutants/tree/lib/track/track_file.cpp:19:48: error: not usable in a constant expression
+In file included from /a/mutants/tree/lib/track/track_file.cpp:1:
+../../lib/track/track_file.h:10:40: note: was not initialized with a constant expression
+../../../elsewhere/a.h:3:1: note: no file of the copy
+"""
+        self.assertEqual(draw.places_named(errors),
+                         {("lib/track/track_file.cpp", "19"), ("lib/track/track_file.h", "10")})
 
 
 class Cases(unittest.TestCase):
