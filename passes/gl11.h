@@ -62,7 +62,8 @@ constexpr Enum texture_mag_filter = 0x2800, texture_min_filter = 0x2801, wrap_s 
 constexpr Enum texture_binding_2d = 0x8069;
 constexpr Enum nearest = 0x2600, linear = 0x2601, linear_mipmap_linear = 0x2703;
 constexpr Enum clamp = 0x2900, repeat = 0x2901, modulate = 0x2100;
-constexpr Enum rgba = 0x1908, rgba8 = 0x8058, texture_width = 0x1000, texture_alpha_size = 0x805F;
+constexpr Enum alpha = 0x1906, alpha8 = 0x803C, rgba = 0x1908, rgba8 = 0x8058, texture_width = 0x1000,
+               texture_alpha_size = 0x805F;
 constexpr Enum unpack_swap_bytes = 0x0CF0, unpack_lsb_first = 0x0CF1, unpack_row_length = 0x0CF2;
 constexpr Enum unpack_skip_rows = 0x0CF3, unpack_skip_pixels = 0x0CF4, unpack_alignment = 0x0CF5;
 constexpr Enum map_colour = 0x0D10;

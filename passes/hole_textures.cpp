@@ -9,8 +9,6 @@ namespace claque::passes
 namespace
 {
 
-constexpr gl::Enum alpha = 0x1906, alpha8 = 0x803C;
-
 int32_t wrapping_of(model::Wrap wrap)
 {
     return static_cast<int32_t>(wrap == model::Wrap::clamp ? gl::clamp : gl::repeat);
@@ -45,8 +43,8 @@ bool HoleTextures::load(const Gl11 &gl, const model::Template &tmpl, uint32_t te
     gl.TexParameteri(gl::texture_2d, gl::texture_mag_filter, static_cast<int32_t>(gl::nearest));
     gl.TexParameteri(gl::texture_2d, gl::wrap_s, wrapping_of(from.wrap_s));
     gl.TexParameteri(gl::texture_2d, gl::wrap_t, wrapping_of(from.wrap_t));
-    gl.TexImage2D(gl::texture_2d, 0, static_cast<int32_t>(alpha8), static_cast<int32_t>(width),
-                  static_cast<int32_t>(height), 0, alpha, gl::unsigned_byte, texels_.data());
+    gl.TexImage2D(gl::texture_2d, 0, static_cast<int32_t>(gl::alpha8), static_cast<int32_t>(width),
+                  static_cast<int32_t>(height), 0, gl::alpha, gl::unsigned_byte, texels_.data());
     int32_t taken = 0;
     gl.GetTexLevelParameteriv(gl::texture_2d, 0, gl::texture_width, &taken);
     if (taken == static_cast<int32_t>(width)) return true;

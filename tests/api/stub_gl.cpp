@@ -83,9 +83,10 @@ void offer_texture(uint32_t target, int32_t level, int32_t, int32_t width, int32
 {
     bound.width = width;
     EXPECT_TRUE(width > 0 && height > 0 && width <= max_side && height <= max_side) << width << " x " << height;
-    EXPECT_TRUE(level >= 0 && level < 32 && border == 0 && format == gl::rgba && type == gl::unsigned_byte)
-        << level << " " << format;
-    if (target == gl::texture_2d && pixels) read(pixels, 4 * size_t(width) * size_t(height));
+    EXPECT_TRUE(level >= 0 && level < 32 && border == 0 && type == gl::unsigned_byte) << level << " " << type;
+    EXPECT_TRUE(format == gl::rgba || (format == gl::alpha && level == 0)) << format;
+    const size_t texel_bytes = format == gl::alpha ? 1 : 4;
+    if (target == gl::texture_2d && pixels) read(pixels, texel_bytes * size_t(width) * size_t(height));
 }
 
 size_t size_of(uint32_t type)
