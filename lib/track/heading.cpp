@@ -1,5 +1,5 @@
-// Where a person looks: what the file says, or along the way. It is held below walking pace, frozen while the person
-// stands, and turns by at most half a turn a second.
+// Where a person looks: what the file says, or along the way. It is held below walking pace, and turns by at most half
+// a turn a second. A person that stands turns on the spot.
 #include <algorithm>
 #include <cmath>
 
@@ -15,6 +15,7 @@ namespace
 constexpr double held_below_m_s = 0.25;
 constexpr double turn_in_place_rad_s = 1.7;  // nearly a second for a quarter turn
 constexpr double min_turn_in_place_rad = 0.35;
+constexpr double still_rad_s = 0.05;  // a file that turns by less rests
 
 // The directions that are known, on the fine grid; false: none is.
 bool given_headings(base::Span<const Point> points, FinePath &path, Array<uint8_t> &known)
@@ -89,7 +90,49 @@ double leaving(FinePath &path, uint32_t last, bool along_the_way)
     return next;
 }
 
-// Turns of a person that stands: the end of the stand gives the time for it, and its feet step on the spot.
+// A turn on the spot that ends at sample `end` takes `wanted` samples, and shows its last `steps` of them.
+void turn_at(FinePath &path, double from, double turn, uint32_t end, uint32_t steps, uint32_t wanted)
+{
+    for (uint32_t k = 0; k < steps; ++k) {
+        const double t = double(k + 1) / steps;
+        path.heading[end - steps + 1 + k] = from + turn * t * t * (3 - 2 * t) * double(steps) / wanted;
+    }
+}
+
+uint32_t samples_of_turn(const FinePath &path, double turn)
+{
+    return static_cast<uint32_t>(std::fabs(turn) / turn_in_place_rad_s * path.hz);
+}
+
+// A file turns a person that stands from `first` to `last`: the person rests until the file has looked elsewhere for
+// half a second, and then turns to where the file rests, or to where it looks after two seconds of its turn. What
+// trembles by less turns nobody. Returns the sample from which the person rests.
+uint32_t follow_the_file(FinePath &path, uint32_t first, uint32_t last)
+{
+    const auto lasting = static_cast<uint32_t>(0.5 * path.hz), ahead = static_cast<uint32_t>(2 * path.hz);
+    const Array<double> given(path.heading.begin() + first, path.heading.begin() + last + 1,
+                              path.heading.get_allocator().resource());
+    // A piece goes on with a turn of the piece before.
+    const bool turns = first > 0 && std::fabs(path.heading[first] - path.heading[first - 1]) * path.hz > still_rad_s;
+    uint32_t rests = first, elsewhere = turns && first == path.first ? lasting : 0;
+    double held = given[0];
+    for (uint32_t i = first + 1; i <= last; ++i) {
+        path.heading[i] = held;
+        elsewhere = std::fabs(given[i - first] - held) > min_turn_in_place_rad ? elsewhere + 1 : 0;
+        if (elsewhere < lasting) continue;
+        uint32_t steps = 1;
+        const auto turn = [&](uint32_t more) { return given[i + steps + more - first] - held; };
+        const auto goes_on = [&] { return std::fabs(turn(1)) > std::fabs(turn(0)) + still_rad_s / path.hz; };
+        while (steps < ahead && i + steps < last && (samples_of_turn(path, turn(0)) > steps || goes_on())) ++steps;
+        if (i + steps >= last || std::fabs(turn(0)) < min_turn_in_place_rad) continue;
+        turn_at(path, held, turn(0), i + steps, steps, steps);
+        held = given[i + steps - first];
+        rests = i += steps, elsewhere = 0;
+    }
+    return rests;
+}
+
+// Turns of a person that stands: its feet step on the spot. A turn to the way on takes the end of the stand.
 void turn_in_place(FinePath &path, bool along_the_way)
 {
     const uint32_t count = path.count();
@@ -97,19 +140,16 @@ void turn_in_place(FinePath &path, bool along_the_way)
         if (!path.stands[first]) continue;
         uint32_t last = first;
         while (last + 1 < count && path.stands[last + 1]) ++last;
-        const double held = path.heading[first];
-        std::fill(path.heading.begin() + first, path.heading.begin() + last + 1, held);
+        // What was decided before stays.
+        const uint32_t decided = std::clamp(path.first, first, last);
+        const uint32_t rests = along_the_way ? decided : follow_the_file(path, decided, last);
+        const double held = path.heading[rests];
+        std::fill(path.heading.begin() + rests, path.heading.begin() + last + 1, held);
         if (last + 1 < count) {
-            const double next = leaving(path, last, along_the_way), turn = next - held;
-            const uint32_t wanted = static_cast<uint32_t>(std::fabs(turn) / turn_in_place_rad_s * path.hz);
-            const uint32_t free = last > path.first ? last - path.first : 0;  // of what was decided before
-            const uint32_t spare = std::min(free, last - first > min_stand ? last - first - min_stand : 0);
-            const uint32_t steps = std::min(wanted, spare);
-            if (std::fabs(turn) > min_turn_in_place_rad)
-                for (uint32_t k = 0; k < steps; ++k) {
-                    const double t = double(k + 1) / steps;
-                    path.heading[last - steps + 1 + k] = held + turn * t * t * (3 - 2 * t) * double(steps) / wanted;
-                }
+            const double turn = leaving(path, last, along_the_way) - held;
+            const uint32_t wanted = samples_of_turn(path, turn), stood = last - rests;
+            const uint32_t steps = std::min(wanted, stood > min_stand ? stood - min_stand : 0);
+            if (std::fabs(turn) > min_turn_in_place_rad) turn_at(path, held, turn, last, steps, wanted);
         }
         first = last;
     }

@@ -95,6 +95,19 @@ TEST(WalkingPeople, FaceWhereTheFileSaysThatTheyLook)
     for (double t = 0; t < 10; t += 0.1) ASSERT_LT(between(track::state_at(*track, t).heading_rad, 1.5), 0.001);
 }
 
+TEST(WalkingPeople, StandStillWhileTheFileTrembles)
+{
+    std::vector<track::Point> points = test::points_of(25, 20, [](double) { return glm::dvec2(0, 0); });
+    for (track::Point &point : points) point.heading_rad = 0.3 * std::sin(8 * point.time_s);
+    for (const size_t wrong : {100u, 200u, 201u, 202u, 300u}) points[wrong].heading_rad += 3;
+    const auto track = test::track_of(points);
+    for (double t = 0.1; t < 19.9; t += 0.1) {
+        const track::State state = track::state_at(*track, t);
+        ASSERT_TRUE(state.stands) << t;
+        ASSERT_LT(between(state.heading_rad, 0), 0.35) << t;
+    }
+}
+
 TEST(WalkingPeople, GoOnWithoutASwayThatTheirHeadsHad)
 {
     const auto track = test::track_of(
