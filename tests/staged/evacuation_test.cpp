@@ -57,7 +57,7 @@ TEST(Evacuation, EveryoneLeavesThroughNoPersonAndNoStone)
     std::printf("evacuation: the nearest two are %.3f m apart\n", watched.nearest_m);
     EXPECT_EQ(watched.in_stone, 0u);
     EXPECT_EQ(watched.through_the_door, 0u);
-    EXPECT_GT(watched.nearest_m, 0.2);
+    EXPECT_GT(watched.nearest_m, 0.32);
     EXPECT_EQ(world.run().counts().left, 100u);
     EXPECT_EQ(world.run().counts().refused, 0u);
 }

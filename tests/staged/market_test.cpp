@@ -67,7 +67,7 @@ TEST(Market, PeopleGoThroughNoPersonAndNoThing)
     World world(market(60, 20, 50), 1, false);
     const auto count = static_cast<uint32_t>(world.run().people().all().size());
     double nearest_m = HUGE_VAL, walked_m = 0;
-    size_t in_something = 0, in_booths = 0, at_posts = 0, touching = 0, samples = 0;
+    size_t in_something = 0, in_booths = 0, at_posts = 0, samples = 0;
     std::vector<Point3> before;
     for (double time_s = 0; time_s <= 60; time_s += 0.2) {
         world.scene->place(time_s);
@@ -78,25 +78,19 @@ TEST(Market, PeopleGoThroughNoPersonAndNoThing)
             const bool sells = world.run().agents_of(i).name == "sellers";
             if (time_s > 30) (sells ? at_posts : in_booths) += is_in_one(the_square().booths, here.back());
             for (uint32_t k = 0; k < i; ++k) {
-                const double apart_m = std::hypot(here[i][0] - here[k][0], here[i][2] - here[k][2]);
-                nearest_m = std::min(nearest_m, apart_m);
-                touching += apart_m < 0.3;
+                nearest_m = std::min(nearest_m, std::hypot(here[i][0] - here[k][0], here[i][2] - here[k][2]));
             }
             ++samples;
             if (!before.empty()) walked_m += std::hypot(here[i][0] - before[i][0], here[i][2] - before[i][2]);
         }
         before = here;
     }
-    std::printf(
-        "market: the nearest two are %.3f m apart, %zu of %zu times nearer than 0.3 m; %.1f m walked by each; %zu "
-        "times "
-        "in a booth\n",
-        nearest_m, touching, samples, walked_m / count, in_booths);
+    std::printf("market: the nearest two are %.3f m apart; %.1f m walked by each; %zu of %zu times in a booth\n",
+                nearest_m, walked_m / count, in_booths, samples);
     EXPECT_EQ(in_something, 0u);
     EXPECT_LT(static_cast<double>(in_booths), 0.003 * static_cast<double>(samples)) << "but for some who fled there";
     EXPECT_GT(at_posts, 24u * 140) << "those who sell stand in them";
-    EXPECT_GT(nearest_m, 0.2);  // as shown; as they walk, 0.4
-    EXPECT_LT(static_cast<double>(touching), 0.0005 * static_cast<double>(samples));
+    EXPECT_GT(nearest_m, 0.32);  // as shown; as they walk, 0.4, or 0.34 with turned shoulders
     EXPECT_GT(walked_m / count, 12);
     EXPECT_EQ(world.run().counts().refused, 0u);
     EXPECT_EQ(world.run().info().runaways, 0u);

@@ -13,6 +13,7 @@ namespace
 
 constexpr double ahead_s = 1;  // guessed behind the end of a piece
 constexpr double guess_step_s = 0.1;
+constexpr int straight_steps = 2;  // first it goes on as it moves now, among others not along its way
 constexpr double kept_before_s = 2;
 
 }  // namespace
@@ -60,7 +61,8 @@ void Walkers::publish(uint32_t i)
     body.points.erase(body.points.begin(), std::find_if_not(body.points.begin(), body.points.end() - 1, old));
 }
 
-// How the walker will go on, as far as it is known: along the next corners of its way, as fast as now.
+// How the walker will go on, as far as it is known: in its direction, then along the next corners of its way. Its speed
+// stays.
 void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
 {
     const dtCrowdAgent &a = agent(i);
@@ -69,8 +71,13 @@ void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
     const float speed = length_of(a.vel[0], a.vel[2]);
     Float3 at = {a.npos[0], a.npos[1], a.npos[2]};
     int corner = 0;
+    int steps = 0;
     for (double t = guess_step_s; t <= ahead_s + 1e-9; t += guess_step_s) {
         float left = walks ? speed * static_cast<float>(guess_step_s) : 0;
+        if (walks && steps++ < straight_steps) {
+            for (const int k : {0, 2}) at[static_cast<size_t>(k)] += a.vel[k] * static_cast<float>(guess_step_s);
+            left = 0;
+        }
         while (left > 0 && corner < a.ncorners) {
             const float *to = a.cornerVerts + 3 * corner;
             const float x = to[0] - at[0], z = to[2] - at[2], distance = length_of(x, z);
