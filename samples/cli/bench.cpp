@@ -39,7 +39,7 @@ bool is_of_processes(const BenchArguments &a) { return !a.processes.empty(); }
 bool has_no_scene(const BenchArguments &a)
 {
     return is_growth(a) || is_vertex_format(a) || is_of_close_textures(a) || is_of_flicker(a) || is_of_key_poses(a) ||
-           is_of_readers(a) || is_of_tracks(a) || is_of_cities(a);
+           is_of_readers(a) || is_of_tracks(a) || is_of_cities(a) || is_of_halls(a);
 }
 
 void bench(const BenchArguments &a)
@@ -57,6 +57,7 @@ void bench(const BenchArguments &a)
                   : is_of_readers(a)        ? bench_readers(a)
                   : is_of_tracks(a)         ? bench_tracks(a)
                   : is_of_cities(a)         ? bench_cities(a)
+                  : is_of_halls(a)          ? bench_halls(a)
                   : is_of_shadows(a)        ? bench_shadows(a)
                   : is_of_processes(a)      ? bench_processes(a)
                   : along_path              ? bench_along_path(a)
@@ -75,6 +76,7 @@ void bench(const BenchArguments &a)
     else if (is_of_readers(a)) print_readers(report);
     else if (is_of_tracks(a)) print_tracks(report);
     else if (is_of_cities(a)) print_cities(report);
+    else if (is_of_halls(a)) print_halls(report);
     else if (is_of_shadows(a)) print_shadows(report);
     else if (is_of_processes(a)) print_processes(report);
     else if (along_path) print_sections(report);
@@ -168,10 +170,8 @@ void add_bench(CLI::App &app, Work &chosen)
         "100 000 actors; million: a city of up to a million, million-memory: the same for a chart of its memory; "
         "vertex_format: packed vertices against floats; close_textures: a texture for each of 1000 people against one "
         "for all; flicker: how much the odeon flickers past a crowd that stands still; readers: how the time of "
-        "reading "
-        "grows with the counts in a file; tracks: people "
-        "who walk on tracks against "
-        "people in place; or shared "
+        "reading grows with the counts in a file; tracks: people who walk on tracks against people in place; doors: "
+        "walkers of claque-stage who leave halls; walking: walkers in corridors (docs/navigation.md); or shared "
         "key-poses (S3): keypose-choice, keypose-path, keypose-script, keypose-error");
     add_scenario_option(*c, a->setup);
     CLI::Option *count =
@@ -226,6 +226,9 @@ void add_bench(CLI::App &app, Work &chosen)
                   "For a scene of actors: also write how often each operation of S0's Table 1 was done, for claque "
                   "cost --measured")
         ->type_name("FILE");
+    c->add_option("--seeds", a->seeds, "doors and walking: how many crowds each row has")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     add_law_options(*c, *a);
     add_reading_options(*c, *tracks);
     add_walking_options(*c, *tracks);
@@ -246,6 +249,8 @@ void add_bench(CLI::App &app, Work &chosen)
         if (a->lods.size() > 1 && !of_odeon &&
             (a->setup.camera != "path" || !is_theatre(a->setup) || is_of_shadows(*a)))
             throw CLI::ValidationError("--lod", "takes one value but in a theatre with a camera that follows a path");
+        if (c->count("--seeds") > 0 && !is_of_halls(*a))
+            throw CLI::ValidationError("--seeds", "is for doors and walking alone");
         a->setup.lod = a->lods.front();
         if (count->count() == 0) choose_counts(*a);
         else if (a->setup.described && a->setup.described->tracks)

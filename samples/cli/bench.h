@@ -21,6 +21,7 @@ struct BenchArguments {
     std::string clock = "wall";  // or "processor"
     readers::Law reader_law;
     int frames = 25;
+    unsigned seeds = 5;  // of halls
     bool json = false, markdown = false;
 };
 
@@ -87,6 +88,11 @@ void print_close_textures(const Json &report);
 bool is_of_readers(const BenchArguments &arguments);
 Json bench_readers(const BenchArguments &arguments);
 void print_readers(const Json &report);
+
+// Walkers who leave halls (doors), and who walk round in a corridor (walking): a line chart with its table in "runs".
+bool is_of_halls(const BenchArguments &a);
+Json bench_halls(const BenchArguments &arguments);
+void print_halls(const Json &report);
 
 // Throws scenes::Failure unless `now` is the picture of the variants before it; `what` names the frame.
 void expect_same_picture(std::string &before, const std::string &now, const std::string &what);

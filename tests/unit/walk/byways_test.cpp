@@ -91,7 +91,6 @@ TEST(Byways, OfOtherGroupsAreLeftAndEnteredOnOneWay)
 TEST(Byways, AreLeftThroughTheirOwnPolygons)
 {
     floors::Floor floor;
-    floor.outlines.reserve(64);
     floor.add(0, 0, 30, 6);
     floor.byway(8, 0, 18, 6, 1);
     const Held held(floor);
@@ -107,7 +106,7 @@ TEST(Byways, AreNoShortCuts)
     floor.add(0, 0, 2, 10), floor.add(8, 0, 10, 10), floor.add(2, 8, 8, 10);
     floor.add(2, 1, 8, 2.5);
     floor.byway(2, 0.9, 8, 2.6, 0);
-    clq_navigation *made = floor.make();
+    clq_navigation *made = floor.make().release();
     const double from[3] = {1, 0, 1.7}, to[3] = {9, 0, 1.7}, within[3] = {5, 0, 1.7};
     clq_way way = clq_way_init();
     EXPECT_EQ(clq_navigation_find_way(made, from, to, 0, nullptr, &way), CLQ_OK);

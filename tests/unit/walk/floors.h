@@ -9,37 +9,20 @@
 
 #include <gtest/gtest.h>
 
+#include "samples/halls/floor.h"
+
 namespace floors
 {
 
 using Point = std::array<double, 3>;
 
-struct Floor {
-    std::vector<double> vertices;
-    std::vector<uint32_t> triangles;
-    std::vector<std::vector<double>> outlines;  // of holes and doors, which point here
-    std::vector<clq_prism> holes, doors;
-    std::vector<clq_byway> byways;
-    float radius_m = clq_navigation_def_init().radius_m, cell_m = 0;
-
-    // A rectangle, seen from above; its heights at the two ends in x.
-    void add(double x0, double z0, double x1, double z1, double y0 = 0, double y1 = 0);
-    // An upright wall as a hole.
-    void wall(double x0, double z0, double x1, double z1);
-    void byway(double x0, double z0, double x1, double z1, uint32_t group);
-    void door(double x0, double z0, double x1, double z1);
-    clq_navigation_def def() const;
-    clq_navigation *make() const;
-
-private:
-    clq_prism box(double x0, double z0, double x1, double z1);
-};
+using halls::Floor;
 
 // Two rooms of 8 by 6 m with a wall between and an opening of 1.2 m in its middle, at x 8 to 8.2; a door fills it.
 Floor two_rooms(bool with_door);
 
 struct Held {
-    explicit Held(const Floor &floor, const clq_walkers_def *def = nullptr) : navigation(floor.make())
+    explicit Held(const Floor &floor, const clq_walkers_def *def = nullptr) : navigation(floor.make().release())
     {
         EXPECT_EQ(clq_walkers_create(navigation, def, &walkers), CLQ_OK) << clq_last_error();
     }

@@ -54,7 +54,6 @@ void read_gate(const std::string &file, std::vector<Standing> &people, std::vect
 std::vector<double> walked(const std::vector<Standing> &people, float radius_m)
 {
     floors::Floor floor;
-    floor.outlines.reserve(64);
     floor.add(-corridor_m / 2, -9, corridor_m / 2, 9);
     floor.wall(-corridor_m / 2, 0, -gate_m / 2, 0.2);
     floor.wall(gate_m / 2, 0, corridor_m / 2, 0.2);

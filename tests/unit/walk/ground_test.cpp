@@ -35,7 +35,7 @@ void refused(const clq_navigation_def &def, clq_status status, const char *words
 // From one end of the x axis to the other.
 bool crosses(const Floor &floor)
 {
-    clq_navigation *made = floor.make();
+    clq_navigation *made = floor.make().release();
     const double from[3] = {0.5, 0, 2}, to[3] = {9.5, 0, 2};
     clq_way way = clq_way_init();
     EXPECT_EQ(clq_navigation_find_way(made, from, to, 0, nullptr, &way), CLQ_OK) << clq_last_error();
@@ -61,7 +61,7 @@ TEST(Ground, LeavesOutWhatIsTooSteepLowOrHigh)
         Floor slope;
         slope.add(0, 0, 4, 4), slope.add(4, 0, 6, 4, 0, rise), slope.add(6, 0, 10, 4, rise, rise);
         slope.add(9, 0, 10, 4, rise, rise);
-        clq_navigation *made = slope.make();
+        clq_navigation *made = slope.make().release();
         const double from[3] = {0.5, 0, 2}, to[3] = {9.5, rise, 2};
         clq_way way = clq_way_init();
         ASSERT_EQ(clq_navigation_find_way(made, from, to, 0, nullptr, &way), CLQ_OK);
@@ -133,7 +133,7 @@ TEST(Ground, OfManyTilesIsOne)
 {
     Floor floor;
     floor.add(0, 0, 90, 3);
-    clq_navigation *made = floor.make();
+    clq_navigation *made = floor.make().release();
     clq_navigation_info info = clq_navigation_info_init();
     ASSERT_EQ(clq_navigation_get_info(made, &info), CLQ_OK);
     EXPECT_GE(info.tile_count, 7u);

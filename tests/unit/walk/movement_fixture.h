@@ -14,7 +14,7 @@ using namespace claque;
 class Movement : public testing::Test
 {
 protected:
-    Movement() : navigation_(floors::two_rooms(true).make())
+    Movement() : navigation_(floors::two_rooms(true).make().release())
     {
         EXPECT_EQ(clq_context_create(nullptr, &context_), CLQ_OK);
         EXPECT_EQ(clq_template_builtin(context_, "citizen", &citizen_), CLQ_OK) << clq_last_error();

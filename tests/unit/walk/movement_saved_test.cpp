@@ -75,7 +75,7 @@ TEST_F(Movement, AmongPillarsHasTheSameFutureWheneverItIsRestored)
         floor.wall(x, z, x + 0.3, z + 0.3);
     }
     clq_navigation_destroy(navigation_);
-    navigation_ = floor.make();
+    navigation_ = floor.make().release();
     for (int at = 5; at < 200; at += 9) {
         const auto movement = make();
         crowd(*movement);

@@ -27,7 +27,6 @@ TEST(WalkersAtADoor, StopBeforeItAndGoOnWhenItOpens)
 TEST(WalkersAtADoor, WalkOutOfOneThatIsDeep)
 {
     floors::Floor floor;
-    floor.outlines.reserve(64);
     floor.add(0, 0, 30, 6);
     floor.door(9, 0, 17, 6);
     const Held held(floor);

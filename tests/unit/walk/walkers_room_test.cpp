@@ -49,7 +49,6 @@ double away_from(const Held &held, clq_walker walker, double x, double z)
 Floor passage_of(double width_m)
 {
     Floor floor;
-    floor.outlines.reserve(64);
     floor.add(0, 0, 18, 6);
     floor.wall(8, 0, 10, 3 - width_m / 2);
     floor.wall(8, 3 + width_m / 2, 10, 6);

@@ -76,7 +76,6 @@ TEST(WalkersOfAStage, ArriveWhereTheyAreSent)
 TEST(WalkersOfAStage, ArriveWhateverTheirRadius)
 {
     floors::Floor hall;
-    hall.outlines.reserve(64);
     hall.add(0, 0, 30, 12);
     clq_walkers_def def = clq_walkers_def_init();
     def.max_radius_m = 2;

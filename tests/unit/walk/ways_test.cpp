@@ -27,7 +27,7 @@ TEST_F(Ways, GoRoundHolesByTheirCorners)
 {
     Floor floor;
     floor.add(0, 0, 10, 10), floor.wall(4, 0, 6, 8);
-    made_ = floor.make();
+    made_ = floor.make().release();
     const clq_way found = way({1, 0, 1}, {9, 0, 1});
     EXPECT_TRUE(found.complete);
     ASSERT_GE(found.point_count, 4u);
@@ -43,7 +43,7 @@ TEST_F(Ways, GoRoundHolesByTheirCorners)
 
 TEST_F(Ways, EndBeforeAClosedDoorAndGoThroughAnOpenOne)
 {
-    made_ = floors::two_rooms(true).make();
+    made_ = floors::two_rooms(true).make().release();
     EXPECT_TRUE(way({1, 0, 3}, {15, 0, 3}).complete);
     ASSERT_EQ(clq_navigation_set_door(made_, 0, false), CLQ_OK);
     const clq_way closed = way({1, 0, 3}, {15, 0, 3});
@@ -61,7 +61,7 @@ TEST_F(Ways, EndBeforeAClosedDoorAndGoThroughAnOpenOne)
 
 TEST_F(Ways, OfPointsNearNoGroundHaveNoPoints)
 {
-    made_ = floors::two_rooms(false).make();
+    made_ = floors::two_rooms(false).make().release();
     const clq_way found = way({1, 0, 3}, {100, 0, 3});
     EXPECT_EQ(found.point_count, 0u);
     EXPECT_FALSE(found.complete);
@@ -79,7 +79,7 @@ TEST_F(Ways, OfPointsNearNoGroundHaveNoPoints)
 
 TEST_F(Ways, AreRefusedForNumbersThatMeanNothing)
 {
-    made_ = floors::two_rooms(false).make();
+    made_ = floors::two_rooms(false).make().release();
     const double good[3] = {1, 0, 1}, bad[3] = {1, NAN, 1}, huge[3] = {1e300, 0, 0};
     double out[3];
     bool found;
