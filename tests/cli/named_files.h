@@ -132,6 +132,6 @@ constexpr const char *name_nothing_read =
     "--texture --texture-set --scale --class --image --propose --zone --reduce --zones-out --texture-size --html "
     "--pixels-per-degree --write --serve --rates --shots --at --commands --apart --in-turn --live --draw --stall "
     "--vary --tolerance --picture --allow-mechanisms --origin --quiet --turn --blend --legs --torso --neck --head "
-    "--walk --idle --nodes --colours --measure --line";
+    "--walk --idle --nodes --colours --measure --line --seeds";
 
 }  // namespace cli_test
