@@ -1,5 +1,5 @@
-// Where a person looks: what the file says, or along the way. It is held below walking pace, and turns by at most half
-// a turn a second. A person that stands turns on the spot.
+// The direction in which a person looks: that of the file, or along the way. Below walking pace it is held. It turns by
+// 178 degrees a second at most. A person that stands turns on the spot.
 #include <algorithm>
 #include <cmath>
 

@@ -31,6 +31,7 @@ bool of_actors(const BenchArguments &a)
     return false;
 }
 
+bool is_of_halls(const BenchArguments &a) { return a.subject == "doors" || a.subject == "walking"; }
 bool is_growth(const BenchArguments &a) { return a.subject == "growth"; }
 bool is_vertex_format(const BenchArguments &a) { return a.subject == "vertex_format"; }
 bool is_of_close_textures(const BenchArguments &a) { return a.subject == "close_textures"; }

@@ -90,7 +90,6 @@ Json bench_readers(const BenchArguments &arguments);
 void print_readers(const Json &report);
 
 // Walkers who leave halls (doors), and who walk round in a corridor (walking): a line chart with its table in "runs".
-bool is_of_halls(const BenchArguments &a);
 Json bench_halls(const BenchArguments &arguments);
 void print_halls(const Json &report);
 

@@ -11,8 +11,6 @@
 namespace cli
 {
 
-bool is_of_halls(const BenchArguments &a) { return a.subject == "doors" || a.subject == "walking"; }
-
 namespace
 {
 

@@ -17,7 +17,6 @@ void refuse()
 
 }  // namespace
 
-bool is_of_halls(const BenchArguments &a) { return a.subject == "doors" || a.subject == "walking"; }
 Json bench_halls(const BenchArguments &)
 {
     refuse();

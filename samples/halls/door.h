@@ -9,8 +9,7 @@ namespace halls
 struct Door {
     double width_m;
     size_t people;
-    // Demanded: people a second and metre, and the longest pause between two of them. Narrow doors may let fewer
-    // through (Seyfried et al. 2009, Kretz et al. 2006).
+    // Demands (docs/navigation.md): people a second and metre, and the longest pause between two of them.
     double least, most, longest_pause_s;
 };
 extern const Door doors[5];

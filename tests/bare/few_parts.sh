@@ -21,6 +21,7 @@ refused() {
     case "$said" in *"$package"*) ;; *) echo "'$*' does not name $package: $said" >&2; exit 1 ;; esac
 }
 refused librecast-dev $claque stage samples/scenarios/market.toml
+refused librecast-dev $claque bench doors
 refused libimgui-dev $claque view citizen
 refused libassimp-dev $claque convert tests/bare/few_parts.sh --out $build/none.glb
 echo "$(echo "$off" | wc -l) parts are left out, and the command names those that are asked for"

@@ -75,7 +75,7 @@ void Walkers::guess(uint32_t i, std::vector<clq_track_point> &points) const
     for (double t = guess_step_s; t <= ahead_s + 1e-9; t += guess_step_s) {
         float left = walks ? speed * static_cast<float>(guess_step_s) : 0;
         if (walks && steps++ < straight_steps) {
-            for (const int k : {0, 2}) at[static_cast<size_t>(k)] += a.vel[k] * static_cast<float>(guess_step_s);
+            at[0] += a.vel[0] * static_cast<float>(guess_step_s), at[2] += a.vel[2] * static_cast<float>(guess_step_s);
             left = 0;
         }
         while (left > 0 && corner < a.ncorners) {
