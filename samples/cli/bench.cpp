@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 
+#include "lib/base/near_names.h"
 #include "samples/cli/command.h"
 #include "samples/cli/files.h"
 #include "samples/cli/stopwatch.h"
@@ -107,6 +108,16 @@ void refuse_law_options(const CLI::App &command)
         if (command.count(option) > 0) throw CLI::ValidationError(option, "judges readers alone");
 }
 
+// A subject with a letter too few is no character.
+void expect_no_near_subject(const std::string &name)
+{
+    const std::vector<std::string> subjects = {
+        "growth", "million", "million-memory", "vertex_format",  "flicker",      "close_textures", "readers",
+        "tracks", "doors",   "walking",        "keypose-choice", "keypose-path", "keypose-script", "keypose-error"};
+    const std::string near = claque::base::near_names(name, subjects);
+    if (!near.empty()) throw CLI::ValidationError("SCENE", "'" + name + "' is nothing to measure: " + near);
+}
+
 void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tracks)
 {
     expect_subject(a.subject, a.setup);
@@ -122,6 +133,7 @@ void choose_scene(const CLI::App &command, BenchArguments &a, TrackArguments &tr
             a.setup.scene = a.subject;
             a.setup.file.clear();
         }
+    if (!a.setup.file.empty() && !scenes::is_file(a.setup.file)) expect_no_near_subject(a.setup.file);
     if (a.setup.camera.empty() && has_path(a.setup)) a.setup.camera = "path";
     check_scene_usage(a.setup);
 }
@@ -252,6 +264,8 @@ void add_bench(CLI::App &app, Work &chosen)
             throw CLI::ValidationError("--lod", "takes one value but in a theatre with a camera that follows a path");
         if (c->count("--seeds") > 0 && !is_of_halls(*a))
             throw CLI::ValidationError("--seeds", "is for doors and walking alone");
+        if (c->count("--seed") > 0 && is_of_halls(*a))
+            throw CLI::ValidationError("--seed", "changes no doors and no walking: --seeds N tries seeds 1 to N");
         a->setup.lod = a->lods.front();
         if (count->count() == 0) choose_counts(*a);
         else if (a->setup.described && a->setup.described->tracks)

@@ -42,7 +42,7 @@ Json report_of(const BenchArguments &a, const char *title, const char *x, const 
             {"series", Json::array()},
             {"runs", Json::array()},
             {"seeds", a.seeds},
-            {"note", std::to_string(a.seeds) + " seeds, the least and the most of each"}};
+            {"note", std::to_string(a.seeds) + (a.seeds == 1 ? " seed" : " seeds, the least and the most of each")}};
 }
 
 Json doors(const BenchArguments &a, Progress &progress)
@@ -72,9 +72,9 @@ Json doors(const BenchArguments &a, Progress &progress)
         demanded_least.push_back({door.width_m, door.least * door.width_m});
         demanded_most.push_back({door.width_m, door.most * door.width_m});
     }
-    report["series"] = {series("walkers, least", least, 0, "solid"), series("walkers, most", most, 0, "solid"),
-                        series("people, least", demanded_least, 1, "dashed"),
-                        series("people, most", demanded_most, 1, "dashed")};
+    report["series"] = {series("walkers, least", least, 0, "solid"), series("walkers, most", most, 0, "dashed"),
+                        series("demanded, least", demanded_least, 1, "dashed"),
+                        series("demanded, most", demanded_most, 1, "dotted")};
     return report;
 }
 
@@ -111,7 +111,7 @@ Json walking(const BenchArguments &a, Progress &progress)
         const std::string name = ways == 1 ? "all one way, 4 m wide" : "counterflow, 5 m wide";
         const size_t colour = ways == 1 ? 0 : 2;
         report["series"].push_back(series(name + ", least", least, colour, "solid"));
-        report["series"].push_back(series(name + ", most", most, colour, "solid"));
+        report["series"].push_back(series(name + ", most", most, colour, "dashed"));
     }
     return report;
 }

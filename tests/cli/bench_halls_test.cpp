@@ -37,6 +37,14 @@ TEST_F(BenchHalls, AloneTakeSeeds)
     const Outcome done = claque({"bench", "growth", "--seeds", "2"});
     EXPECT_EQ(done.code, 2);
     EXPECT_NE(done.err.find("--seeds"), std::string::npos) << done.err;
+    EXPECT_EQ(claque({"bench", "doors", "--seed", "2"}).code, 2);
+}
+
+TEST_F(BenchHalls, AreNamedWhereOneLetterIsMissing)
+{
+    const Outcome done = claque({"bench", "door"});
+    EXPECT_EQ(done.code, 2);
+    EXPECT_NE(done.err.find("'doors'"), std::string::npos) << done.err;
 }
 
 }  // namespace
