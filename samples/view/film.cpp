@@ -28,8 +28,11 @@ constexpr int film_rate = 25;
     throw scenes::Failure("no film " + path + ": " + why);
 }
 
-// The encoder needs even numbers of pixels.
-std::vector<std::string> words_for(const std::string &draft, int width, int height)
+constexpr int draft_number = 3;  // of ffmpeg's open files
+
+// The encoder needs even numbers of pixels. ffmpeg writes a file that is open already: by its name it could make the
+// draft again after a signal has removed it.
+std::vector<std::string> words_for(int width, int height)
 {
     return {"ffmpeg",
             "-loglevel",
@@ -58,11 +61,13 @@ std::vector<std::string> words_for(const std::string &draft, int width, int heig
             "yuv420p",
             "-movflags",
             "+faststart",
-            draft};
+            "-f",
+            "mp4",
+            "/dev/fd/" + std::to_string(draft_number)};
 }
 
 // The error of starting; 0: none.
-int start_ffmpeg(std::vector<std::string> words, int input, pid_t &process)
+int start_ffmpeg(std::vector<std::string> words, int input, int draft, pid_t &process)
 {
     std::vector<char *> list;
     for (std::string &word : words) list.push_back(word.data());
@@ -70,6 +75,7 @@ int start_ffmpeg(std::vector<std::string> words, int input, pid_t &process)
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, input, STDIN_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, draft, draft_number);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);
     const int error = posix_spawnp(&process, "ffmpeg", &actions, nullptr, list.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
@@ -86,8 +92,8 @@ Film::Film(const std::string &path, int width, int height)
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0) refuse_film(path_, std::strerror(errno));
     std::remove(draft_.c_str());
-    const int draft = io::open_draft(draft_, path_);  // which ffmpeg writes
-    const int error = draft < 0 ? errno : start_ffmpeg(words_for(draft_, width, height), ends[1], process_);
+    const int draft = io::open_draft(draft_, path_);
+    const int error = draft < 0 ? errno : start_ffmpeg(words_for(width, height), ends[1], draft, process_);
     if (draft >= 0) close(draft);
     close(ends[1]);
     socket_ = ends[0];

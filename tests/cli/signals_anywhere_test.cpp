@@ -195,6 +195,28 @@ TEST_F(SignalsAnywhere, EndEveryLongCommandAndLeaveOnlyWhatIsWhole)
     RecordProperty("longest_cpu_s", std::to_string(longest_cpu_s_));
 }
 
+// The encoder is another process. It opens its file when the command has ended.
+TEST_F(SignalsAnywhere, LeaveNothingOfAFilmWhoseEncoderIsLate)
+{
+    std::ofstream(in("film.toml")) << "steps = ['key tab', 'click \"film\"', 'wait 3600']\n";
+    std::ofstream(in("ffmpeg")) << "#!/bin/sh\nfor last; do :; done\n: > '" << in("begun") << "'\nwhile [ ! -e '"
+                                << in("ended") << "' ]; do sleep 0.01; done\necho film > \"$last\"\n: > '"
+                                << in("written") << "'\n";
+    fs::permissions(in("ffmpeg"), fs::perms::owner_all);
+    const auto wait_for = [&](const char *name) {
+        for (int waits = 0; waits < 6000 && !fs::exists(in(name)); ++waits) usleep(5000);
+        return fs::exists(in(name));
+    };
+    Running running({"view", "--size", "640x480", "--scene", "parade", "--count", "2", "--script", in("film.toml"),
+                     "--shots", path("out")});
+    ASSERT_TRUE(wait_for("begun"));
+    ASSERT_FALSE(running.has_ended());
+    running.end_by(SIGINT);
+    std::ofstream(in("ended")) << "\n";
+    ASSERT_TRUE(wait_for("written"));
+    EXPECT_TRUE(contents("out").empty());
+}
+
 // Others are done in a second: Signals.EndEverySubcommandAtOnceAndLeaveNothing ends these.
 TEST_F(SignalsAnywhere, KnowEverySubcommand)
 {
