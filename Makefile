@@ -9,7 +9,7 @@ PICTURES = $(BUILD)/samples/claque-pictures
 .PHONY: help setup build command run video test ci ci-all test-asan test-tsan test-scalar test-threads \
     test-mutants test-random fuzz faults soak bench golden-accept abi-accept installed install package test-package test-bare \
     test-few test-hosts docs test-i386 test-arm64 test-mingw test-nehalem test-machines test-webgl test-gl \
-    test-guest nightly release test-bits test-reproducible wheel test-wheel coverage check format clean
+    test-guest nightly release test-queues test-bits test-reproducible wheel test-wheel coverage check format clean
 
 help:
 	@echo "make run        install what is missing, build, render the odeon into out/"
@@ -24,6 +24,7 @@ help:
 	@echo "make fuzz       libFuzzer over every reader and the C API, SECONDS=20 each (tests/fuzz; needs clang)"
 	@echo "make faults     each allocation of each call of the C API fails, at every place that allocates (an hour)"
 	@echo "make soak       a million updates of a changing crowd, then films whose processes are killed, random input and malformed viewers of the window (some minutes)"
+	@echo "make test-queues  crowds at doors, in corridors and in tests of RiMEA, five of each (minutes)"
 	@echo "make test-threads  the tests of what the headers say about threads, under ThreadSanitizer"
 	@echo "make test-bits  the hashes of tests/bits by GCC and clang, as Release and with -O1 (COMPILERS='g++-13': others)"
 	@echo "make test-asan  the same tests under AddressSanitizer and UBSan (also test-tsan, test-scalar)"
@@ -120,6 +121,10 @@ test-threads: setup
 # Each compiler makes the same bits.
 test-bits: setup
 	@tests/bits/compilers.sh $(JOBS) $(COMPILERS)
+
+# The rows of docs/navigation.md with five crowds each.
+test-queues: build
+	CLAQUE_QUEUE_SEEDS=5 $(BUILD)/tests/unit/walk/queues_test
 
 # tests/mutants/README.md
 test-random: setup

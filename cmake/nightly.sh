@@ -5,7 +5,7 @@
 set -eu
 jobs=$1
 shift
-steps='test-asan test-scalar test-threads test-bits fuzz faults test-mutants test-random soak coverage check
+steps='test-asan test-scalar test-threads test-bits test-queues fuzz faults test-mutants test-random soak coverage check
 test-gl test-webgl test-hosts test-guest test-machines
 test-bare test-few test-package test-wheel test-reproducible'
 [ $# -gt 0 ] || set -- $steps

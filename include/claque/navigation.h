@@ -4,7 +4,6 @@
  * clq_area (claque/trajectories.h). Walkers are people on it: each gets goals, finds its way by Detour, and keeps
  * apart from the others, in ticks of fixed length: bodies that do not overlap never will (docs/navigation.md). They
  * publish what they did as pieces of tracks (claque/track.h), which never change afterwards; any crowd shows them.
- *
  * The result is a function of the calls: equal calls give equal bits, whatever the threads.
  *
  * Positions are in world units, y up; what is called _m is in metres. GL: none.
@@ -147,11 +146,11 @@ typedef struct clq_walkers_def {
     /* [0, 5] seconds that a walker keeps to the one ahead: its speed is at most the gap between the bodies, 0.3 s
      * later, divided by this. 0: it walks at full speed until it would touch. Default 1.1 (docs/navigation.md) */
     float time_gap_s;
-    /* As in clq_track_def: where feet stand on uneven ground, such as stairs that the navigation has as ramps. Called
-     * by clq_walkers_step, or by clq_stage_step, on the calling thread. Give the same function of points after a
-     * restore, so that the run goes on as it would have. NULL (default): feet stand on the navigation's ground */
+    /* As in clq_track_def: where feet stand on stairs that the navigation has as ramps. Called by clq_walkers_step or
+     * clq_stage_step, on the calling thread; the same after a restore. NULL (default): on the navigation's ground */
     clq_height_function ground;
     void *ground_user;
+    float climbing, descending; /* [0.01, 1] speeds on stairs over that on the level. Default 0.455, 0.518 */
 } clq_walkers_def;
 
 static inline clq_walkers_def clq_walkers_def_init(void)
@@ -166,6 +165,7 @@ static inline clq_walkers_def clq_walkers_def_init(void)
     def.plans = 32;
     def.smooth_s = 0.6f;
     def.time_gap_s = 1.1f;
+    def.climbing = 0.455f, def.descending = 0.518f;
     return def;
 }
 

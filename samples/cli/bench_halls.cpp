@@ -55,7 +55,7 @@ Json doors(const BenchArguments &a, Progress &progress)
         Spread flow, pause, nearest;
         size_t left = 0;
         for (unsigned seed = 1; seed <= a.seeds; ++seed) {
-            const halls::Passage passage = halls::through_a_door(door.width_m, door.people, seed);
+            const halls::Passage passage = halls::through_a_door(door.width_m, door.people, {seed});
             flow.add(passage.flow), pause.add(passage.longest_pause_s), nearest.add(passage.nearest_m);
             left += passage.left;
             progress.step(++done, std::size(halls::doors) * a.seeds);
@@ -94,7 +94,7 @@ Json walking(const BenchArguments &a, Progress &progress)
             if (ways == 2 && density > 2) break;
             Spread speed, order, stop, nearest;
             for (unsigned seed = 1; seed <= a.seeds; ++seed) {
-                const halls::Round round = halls::walked_round(ways == 1 ? 4 : 5, density, ways, seed);
+                const halls::Round round = halls::walked_round(ways == 1 ? 4 : 5, density, ways, {seed});
                 speed.add(round.median_m_s), order.add(round.order), stop.add(round.longest_stop_s);
                 nearest.add(round.nearest_m);
                 progress.step(++done, 8 * a.seeds);

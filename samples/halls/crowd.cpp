@@ -9,32 +9,33 @@ namespace halls
 
 using scenes::check;
 
-Crowd::Crowd(const Floor &floor, unsigned seed) : navigation_(floor.make()), random_(seed)
+Crowd::Crowd(const Floor &floor, const Trial &trial) : navigation_(floor.make()), random_(trial.seed)
 {
     clq_walkers_def def = clq_walkers_def_init();
-    def.max_count = 1500, def.tick_s = tick_s;
+    def.max_count = 1500, def.tick_s = trial.tick_s;
     clq_walkers *made = nullptr;
     check(clq_walkers_create(navigation_.get(), &def, &made));
     walkers_.reset(made);
 }
 
-bool Crowd::add(double x, double z)
+bool Crowd::add(double x, double z, float speed_m_s)
 {
     clq_walker_def def = clq_walker_def_init();
     const double apart_m = 2 * static_cast<double>(def.radius_m) + 0.01;
     for (const Person &other : people)
         if (std::hypot(other.x - x, other.z - z) < apart_m) return false;
     def.position[0] = x, def.position[2] = z;
-    def.speed_m_s = std::clamp(std::normal_distribution<float>(1.34f, 0.26f)(random_), 0.8f, 1.9f);
+    def.speed_m_s =
+        speed_m_s > 0 ? speed_m_s : std::clamp(std::normal_distribution<float>(1.34f, 0.26f)(random_), 0.8f, 1.9f);
     Person made{{0, 0}, x, z};
     check(clq_walkers_add(walkers_.get(), &def, &made.id));
     people.push_back(made);
     return true;
 }
 
-void Crowd::go(const Person &one, double x, double z, float near_m)
+void Crowd::go(const Person &one, double x, double z, float near_m, double y)
 {
-    const double goal[3] = {x, 0, z};
+    const double goal[3] = {x, y, z};
     check(clq_walker_go(walkers_.get(), one.id, goal, near_m, 0));
 }
 

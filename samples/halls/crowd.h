@@ -9,7 +9,12 @@
 namespace halls
 {
 
-constexpr double tick_s = 0.05, pi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846;
+
+struct Trial {
+    unsigned seed = 1;
+    double tick_s = 0.05;
+};
 
 struct Person {
     clq_walker id;
@@ -22,12 +27,12 @@ class Crowd
 {
 public:
     // Speeds are spread as Weidmann states (Transporttechnik der Fussgaenger, 1993).
-    Crowd(const Floor &floor, unsigned seed);
+    Crowd(const Floor &floor, const Trial &trial);
 
-    // False: there is somebody.
-    bool add(double x, double z);
+    // False: there is somebody. speed_m_s 0: one of Weidmann's.
+    bool add(double x, double z, float speed_m_s = 0);
     double number(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
-    void go(const Person &one, double x, double z, float near_m);
+    void go(const Person &one, double x, double z, float near_m, double y = 0);
     void remove(size_t i);
     void step();
     // The shortest distance between two centres in all steps so far.

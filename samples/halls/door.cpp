@@ -19,10 +19,11 @@ Floor hall_with_opening(double width_m)
     return hall;
 }
 
-Passage through_a_door(double width_m, size_t count, unsigned seed)
+Passage through_a_door(double width_m, size_t count, const Trial &trial)
 {
     const Floor hall = hall_with_opening(width_m);
-    Crowd crowd(hall, seed);
+    Crowd crowd(hall, trial);
+    const double tick_s = trial.tick_s;
     while (crowd.people.size() < count) crowd.add(crowd.number(-7.5, 7.5), crowd.number(-15.5, -1));
     for (const Person &one : crowd.people) crowd.go(one, 0, 11.5, 0.5f);
     Passage passage;

@@ -19,7 +19,7 @@ struct Passage {
     double longest_pause_s = 0, nearest_m = 0;
     size_t left = 0;  // in the hall after 300 s
 };
-Passage through_a_door(double width_m, size_t count, unsigned seed);
+Passage through_a_door(double width_m, size_t count, const Trial &trial);
 
 // The hall, without what fills the opening.
 Floor hall_with_opening(double width_m);

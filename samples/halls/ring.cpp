@@ -15,8 +15,8 @@ constexpr int sectors = 16;
 class Walk
 {
 public:
-    Walk(double width_m, double people_per_m2, int ways, unsigned seed)
-        : ring_{width_m}, ways_(ways), floor_(ring_.floor()), crowd_(floor_, seed)
+    Walk(double width_m, double people_per_m2, int ways, const Trial &trial)
+        : ring_{width_m}, ways_(ways), tick_s_(trial.tick_s), floor_(ring_.floor()), crowd_(floor_, trial)
     {
         const auto count = static_cast<size_t>(people_per_m2 * ring_.area_m2());
         for (size_t tries = 0; crowd_.people.size() < count; ++tries) {
@@ -36,9 +36,9 @@ public:
             const Person &one = crowd_.people[i];
             if (std::remainder(goals_[i] - std::atan2(one.z, one.x), 2 * pi) * way(i) < 0.35) send(i);
             const double along = one.moved_z * one.x - one.moved_x * one.z;
-            const double made = way(i) * along / std::hypot(one.x, one.z) / tick_s;
+            const double made = way(i) * along / std::hypot(one.x, one.z) / tick_s_;
             if (time_s > 40) speeds_.push_back(made);
-            stopped_s_[i] = made < 0.05 ? stopped_s_[i] + tick_s : 0;
+            stopped_s_[i] = made < 0.05 ? stopped_s_[i] + tick_s_ : 0;
             if (time_s > 10) longest_stop_s_ = std::max(longest_stop_s_, stopped_s_[i]);
         }
     }
@@ -79,6 +79,7 @@ private:
 
     Ring ring_;
     int ways_;
+    double tick_s_;
     Floor floor_;
     Crowd crowd_;
     std::vector<double> goals_, speeds_, stopped_s_;
@@ -103,10 +104,10 @@ Floor Ring::floor() const
     return made;
 }
 
-Round walked_round(double width_m, double people_per_m2, int ways, unsigned seed)
+Round walked_round(double width_m, double people_per_m2, int ways, const Trial &trial)
 {
-    Walk walk(width_m, people_per_m2, ways, seed);
-    for (double time_s = 0; time_s < 60; time_s += tick_s) walk.step(time_s);
+    Walk walk(width_m, people_per_m2, ways, trial);
+    for (double time_s = 0; time_s < 60; time_s += trial.tick_s) walk.step(time_s);
     return walk.result();
 }
 

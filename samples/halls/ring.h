@@ -19,6 +19,6 @@ struct Round {
     double longest_stop_s = 0, nearest_m = 0;
 };
 // ways: 1; or 2, where every other person walks the other way round.
-Round walked_round(double width_m, double people_per_m2, int ways, unsigned seed);
+Round walked_round(double width_m, double people_per_m2, int ways, const Trial &trial);
 
 }  // namespace halls

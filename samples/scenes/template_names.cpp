@@ -25,6 +25,16 @@ std::vector<std::string> names_of_nodes(const clq_template *tmpl)
     return names;
 }
 
+std::vector<std::string> names_of_texture_sets(const clq_template *tmpl)
+{
+    std::vector<std::string> names;
+    clq_template_info info = clq_template_info_init();
+    check(clq_template_get_info(tmpl, &info));
+    for (uint32_t i = 1; i < info.texture_set_count; ++i)  // the materials' own has no name
+        names.emplace_back(clq_template_get_texture_set_name(tmpl, i));
+    return names;
+}
+
 std::vector<std::string> names_of_dofs(const clq_template *tmpl)
 {
     std::vector<std::string> names;

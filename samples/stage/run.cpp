@@ -94,6 +94,8 @@ void Run::make_stage(Library &library, const RunOptions &options)
     walking.smooth_s = 0.2f;  // in a crowd tracks are to stay beside each other
     walking.max_radius_m = static_cast<float>(described_.ground->body_radius_m);
     if (described_.ground->time_gap_s) walking.time_gap_s = static_cast<float>(*described_.ground->time_gap_s);
+    if (described_.ground->climbing) walking.climbing = static_cast<float>(*described_.ground->climbing);
+    if (described_.ground->descending) walking.descending = static_cast<float>(*described_.ground->descending);
     const Setting::Stone stone = setting_.stone();
     walking.ground = stone.height, walking.ground_user = stone.user;
     std::vector<const clq_locomotion *> locomotions;

@@ -114,6 +114,24 @@ TEST_F(NamesCommand, OfAClipChooseIt)
     EXPECT_NE(hash({"--clip", "walk", "--time", "0.25"}), hash({"--clip", "walk", "--time", "0"}));
 }
 
+TEST_F(NamesCommand, OfTexturesThatAreNotThereBringTheNearOnes)
+{
+    Maker maker;
+    maker.triangle();
+    maker.json["materials"] = {{{"name", "plain"}}, {{"name", "grey"}}};
+    maker.json["extensions"]["KHR_materials_variants"]["variants"] = {{{"name", "night"}}, {{"name", "day"}}};
+    maker.primitive()["material"] = 0;
+    maker.primitive()["extensions"]["KHR_materials_variants"]["mappings"] = {{{"material", 1}, {"variants", {0, 1}}}};
+    const auto bytes = maker.glb();
+    std::ofstream(path("a.glb"), std::ios::binary)
+        .write(reinterpret_cast<const char *>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    write("people.toml",
+          "name = \"p\"\n[[characters]]\nname = \"p\"\ncharacter = \"a.glb\"\n[[people]]\nclass = \"p\"\n"
+          "at = [0.0, 0.0, 0.0]\ntextures = \"nigth\"\n");
+    expect_said({"render", "--scenario", path("people.toml"), "--out", path("a.png")}, 1,
+                "there are no textures 'nigth': 'night' is near");
+}
+
 TEST_F(NamesCommand, OfFilesDoNotDecideTheirFormat)
 {
     Maker maker;

@@ -73,6 +73,17 @@ TEST_F(OsgPluginFiles, RefusesADescriptionByItsLine)
     EXPECT_NE(refusal("character = \n").find("refused.claque:1"), std::string::npos);
 }
 
+TEST_F(OsgPluginFiles, NamesTheClassesThatAreNearAWrongOne)
+{
+    const File map("map.toml",
+                   "[[classes]]\nname = \"senators\"\ntemplate = \"citizen\"\n[classes.zones]\n"
+                   "tunic = { hue = [240, 240], saturation = [1, 1], brightness = [0.8, 0.8] }\n");
+    const std::string said =
+        refusal("character = \"citizen\"\ncolours = \"" + std::filesystem::path(map.path()).filename().string() +
+                "\"\nclass = \"senator\"\n");
+    EXPECT_NE(said.find("has no class named senator: 'senators' is near"), std::string::npos) << said;
+}
+
 TEST_F(OsgPluginFiles, LoadsNoMechanismThatAScenarioNames)
 {
     EXPECT_NE(refusal("name = \"m\"\n[[characters]]\nname = \"h\"\ncharacter = \"herald\"\n[[people]]\nclass = \"h\"\n"

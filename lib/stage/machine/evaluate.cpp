@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "lib/stage/hash.h"
@@ -7,6 +8,18 @@ namespace claque::stage
 {
 
 double draw(Situation &at, uint32_t purpose) { return unit(hash(at.seed, at.agent_seed, purpose, (*at.draws)++)); }
+
+// Free walking speeds have the mean and the deviation that Weidmann found (Transporttechnik der Fussgaenger, 1993,
+// section 3.2). Twelve uniform numbers add up to a normal one with a deviation of 1 (Irwin and Hall, 1927), by sums
+// alone; 2.5 deviations are the most.
+double own_speed_m_s(uint64_t seed, uint64_t agent_seed)
+{
+    constexpr double mean = 1.34, deviation = 0.26;
+    constexpr uint64_t purpose = 2;
+    double normal = -6;
+    for (uint64_t i = 0; i < 12; ++i) normal += unit(hash(seed, agent_seed, purpose, i));
+    return mean + deviation * std::clamp(normal, -2.5, 2.5);
+}
 
 namespace
 {
@@ -32,6 +45,8 @@ double read(const Op &op, Situation &at)
             return at.in_view;
         case Code::walking:
             return at.walking;
+        case Code::own_speed:
+            return own_speed_m_s(at.seed, at.agent_seed);
         default:
             return at.nearby->nearest_m(op.index);
     }

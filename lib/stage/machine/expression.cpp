@@ -214,9 +214,10 @@ private:
             std::string_view name;
             Code code;
             Type type;
-        } built_in[] = {{"time", Code::time, Type::number},      {"clock", Code::clock, Type::number},
-                        {"value", Code::value, Type::number},    {"distance", Code::distance, Type::number},
-                        {"in_view", Code::in_view, Type::truth}, {"walking", Code::walking, Type::truth}};
+        } built_in[] = {{"time", Code::time, Type::number},          {"clock", Code::clock, Type::number},
+                        {"value", Code::value, Type::number},        {"distance", Code::distance, Type::number},
+                        {"in_view", Code::in_view, Type::truth},     {"walking", Code::walking, Type::truth},
+                        {"own_speed", Code::own_speed, Type::number}};
         for (const auto &one : built_in)
             if (one.name == found) {
                 put(one.code);

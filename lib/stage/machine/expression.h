@@ -22,6 +22,7 @@ enum class Code : uint8_t {
     distance,
     in_view,
     walking,
+    own_speed,
     near,
     count,
     random,
@@ -107,5 +108,8 @@ double evaluate(const Op *ops, Program program, Situation &at);
 
 // A random number in [0, 1), the agent's next one.
 double draw(Situation &at, uint32_t purpose);
+
+// The walking speed, in m/s, that an agent prefers.
+double own_speed_m_s(uint64_t seed, uint64_t agent_seed);
 
 }  // namespace claque::stage

@@ -188,7 +188,12 @@ void MachineReader::read_go(const toml::table &from, Action &made)
 {
     doc_.known(from, {"go", "speed", "near", "heading", "settle", "if"});
     const toml::node &node = *from.get("go");
-    made.speed = quantity(from, "speed", 1.3, 0.1, 12);
+    made.speed = quantity(from, "speed", 0, 0.1, 12);
+    if (!from.get("speed")) {
+        made.speed.program = {static_cast<uint32_t>(out_.ops.size()), 1};
+        made.speed.least = 0.1, made.speed.most = 12;
+        out_.ops.push_back({Code::own_speed});
+    }
     made.near_m = quantity(from, "near", 0.3, 0.01, 1000);
     made.has_heading = from.get("heading") != nullptr;
     if (made.has_heading) made.heading_deg = quantity(from, "heading", 0, -1e6, 1e6);

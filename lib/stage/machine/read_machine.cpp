@@ -77,8 +77,8 @@ void MachineReader::read_variables(const toml::table &from, std::vector<Variable
                 std::string::npos ||
             made.name.empty() || (made.name[0] >= '0' && made.name[0] <= '9'))
             doc_.refuse(key->source(), "'" + made.name + "' is no name: letters, digits and _ are wanted");
-        for (const char *taken : {"time", "clock", "value", "distance", "in_view", "walking", "true", "false", "and",
-                                  "or", "not", "min", "max", "abs", "floor", "random", "near", "count"})
+        for (const char *taken : {"time", "clock", "value", "distance", "in_view", "walking", "own_speed", "true",
+                                  "false", "and", "or", "not", "min", "max", "abs", "floor", "random", "near", "count"})
             if (made.name == taken) doc_.refuse(key->source(), "'" + made.name + "' has a meaning of its own");
         made.type = node->is_boolean() ? Type::truth : Type::number;
         made.initial = node->is_boolean() ? double(doc_.truth(*node, made.name)) : doc_.number(*node, made.name);
@@ -164,7 +164,7 @@ std::string MachineReader::near(std::string_view name) const
     std::vector<std::string> all;
     for (const Variable &one : out_.variables) all.push_back(one.name);
     for (const uint32_t i : own_crowd_) all.push_back("crowd." + shared_.crowd[i].name);
-    all.insert(all.end(), {"time", "clock", "value", "distance", "in_view", "walking"});
+    all.insert(all.end(), {"time", "clock", "value", "distance", "in_view", "walking", "own_speed"});
     return base::names_near(name, all);
 }
 

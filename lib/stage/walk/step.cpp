@@ -10,12 +10,34 @@ namespace claque::walk
 namespace
 {
 
-constexpr float wide_m = 0.1f;       // round a corner
+constexpr float wide_m = 0.1f;  // round a corner
+// Crowds turn on their whole width. A walker that creeps before a corner goes round it wider and wider, but not near
+// what is opposite.
+constexpr float held_up = 0.5f, widening_m_s = 0.7f, opposite_m = 1.5f;
+constexpr float sharp = 0.2f;        // the length of the difference of the directions before and after a corner
 constexpr float passed_m = 0.06f;    // a corner so near is passed
 constexpr int max_corners = 48;      // up to which its way is measured
 constexpr float onward_m = 2.5f;     // along its way: where two of a queue go the same way
 constexpr float slack_m = 1e-4f;     // by which a move may exceed its share
 constexpr float end_reach_m = 0.3f;  // of a way that leads to no goal
+
+// Ramps up to the first slow nobody, slopes from the second on are stairs; in between the share is interpolated.
+constexpr float ramp = 0.1f, stairs = 0.45f;
+constexpr float slope_way_m = 0.5f;  // over which a slope is averaged
+
+// People climb stairs at 0.610 m/s and descend them at 0.694 m/s over the ground, and walk at 1.34 m/s on the level
+// (Weidmann 1993): the defaults of `climbing` and `descending` are these shares.
+float share_on(float slope, const clq_walkers_def &def)
+{
+    const float steep = std::clamp((std::fabs(slope) - ramp) / (stairs - ramp), 0.0f, 1.0f);
+    return 1 - steep * (1 - (slope > 0 ? def.climbing : def.descending));
+}
+
+// A walker that is held up may be beside the polygons of its way, and others lead on from there.
+constexpr uint64_t look_again_ticks = 10;
+
+// A turn is no wider than its corner is far: a walker that is faster circles about a corner that it cannot reach.
+constexpr float reached_m = 0.05f;
 
 float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }
 
@@ -50,13 +72,15 @@ void Walkers::step()
 void Walkers::look_along(uint32_t i)
 {
     dtCrowdAgent &a = agent(i);
-    const Body &body = bodies_[i];
+    Body &body = bodies_[i];
     Wish &wish = scratch_.wishes[i];
     wish = Wish();
     wish.time_gap_s = def_.time_gap_s;
     const float speed = length_of(a.vel[0], a.vel[2]);
     if (speed > still_m_s) wish.speed_now = speed, wish.heading = {a.vel[0] / speed, a.vel[2] / speed};
     if (body.state != CLQ_WALKER_WALKS || a.targetState != DT_CROWDAGENT_TARGET_VALID) return;
+    if (speed < held_up * body.speed && (ticks_ + i) % look_again_ticks == 0)
+        a.corridor.optimizePathTopology(mesh_.query.get(), filter(a));
     float corners[3 * max_corners];
     unsigned char flags[max_corners];
     dtPolyRef polygons[max_corners];
@@ -66,8 +90,11 @@ void Walkers::look_along(uint32_t i)
     if (count == 0) return;
     a.corridor.optimizePathVisibility(a.cornerVerts + 3 * std::min(1, a.ncorners - 1), a.params.pathOptimizationRange,
                                       mesh_.query.get(), filter(a));
+    const bool creeps = speed > still_m_s && speed < held_up * body.speed;
+    const float rate = creeps ? widening_m_s : -widening_m_s;
+    body.wide_m = std::clamp(body.wide_m + rate * static_cast<float>(def_.tick_s), 0.0f, widest_m);
     Flat here;
-    float first_m = 0;
+    float first_m = 0, bends = 0;
     for (int k = 0; k < count; ++k) {
         const Flat corner = {corners[3 * k] - a.npos[0], corners[3 * k + 2] - a.npos[2]};
         const Flat leg = {corner.x - here.x, corner.z - here.z};
@@ -79,8 +106,12 @@ void Walkers::look_along(uint32_t i)
                 const Flat in = unit(corner), out = unit({next.x - corner.x, next.z - corner.z});
                 const Flat wide = {in.x - out.x, in.z - out.z};
                 const float bend = length_of(wide);
-                if (bend > 0.01f)
-                    wish.direction = {corner.x + wide_m * wide.x / bend, corner.z + wide_m * wide.z / bend};
+                bends = bend;
+                if (bend > 0.01f) {
+                    const Flat outwards = {wide.x / bend, wide.z / bend};
+                    const float by = wide_m + (bend > sharp ? room_at(i, polygons[k], corners + 3 * k, outwards) : 0);
+                    wish.direction = {corner.x + by * outwards.x, corner.z + by * outwards.z};
+                }
             }
             first_m = length_of(wish.direction);
         }
@@ -99,11 +130,34 @@ void Walkers::look_along(uint32_t i)
     if (!(first_m > 0)) return;
     wish.direction = unit(wish.direction);
     wish.onward = length_of(wish.onward) > 0.01f ? unit(wish.onward) : wish.direction;
-    wish.speed = body.speed;
+    wish.speed = body.speed * share_on(body.slope, def_);
+    if (speed > still_m_s) {
+        const bool looks_back = dot(wish.heading, wish.direction) < 0;
+        const float aside = looks_back ? 1 : std::fabs(cross(wish.heading, wish.direction));
+        const float turn = std::max(bends, 2 * aside);
+        if (turn > sharp)
+            wish.speed = std::min(wish.speed, std::sqrt(a.params.maxAcceleration * (first_m + reached_m) / turn));
+    }
     wish.in_sight_m = INFINITY;
     if (count > 1 || !(flags[0] & DT_STRAIGHTPATH_END)) return;
     wish.in_sight_m = first_m;
     wish.speed *= std::min(1.0f, first_m / (2 * a.params.radius));
+}
+
+// How much wider it may go round a corner.
+float Walkers::room_at(uint32_t i, dtPolyRef polygon, const float *corner, Flat outwards)
+{
+    const Body &body = bodies_[i];
+    if (!(body.wide_m > 0)) return 0;
+    const float reach = body.wide_m + opposite_m,
+                end[3] = {corner[0] + reach * outwards.x, corner[1], corner[2] + reach * outwards.z};
+    float share = 0, normal[3];
+    dtPolyRef passed[max_corners];
+    int count = 0;
+    if (dtStatusFailed(
+            mesh_.query->raycast(polygon, corner, end, filter(agent(i)), &share, normal, passed, &count, max_corners)))
+        return 0;
+    return std::clamp(std::min(share, 1.0f) * reach - opposite_m, 0.0f, body.wide_m);
 }
 
 void Walkers::steer(uint32_t i)
@@ -136,6 +190,9 @@ void Walkers::move(uint32_t i)
     });
     if (!keeps_apart) a.corridor.movePosition(from.data(), mesh_.query.get(), filter(a));
     std::copy(a.corridor.getPos(), a.corridor.getPos() + 3, a.npos);
+    Body &body = bodies_[i];
+    if (const float way_m = length_of(a.npos[0] - from[0], a.npos[2] - from[2]); way_m > 0)
+        body.slope += std::min(1.0f, way_m / slope_way_m) * ((a.npos[1] - from[1]) / way_m - body.slope);
     a.vel[0] = (a.npos[0] - from[0]) / tick_s, a.vel[2] = (a.npos[2] - from[2]) / tick_s;
 }
 

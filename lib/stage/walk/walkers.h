@@ -26,6 +26,7 @@ constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wan
 
 // Filters of the crowd's agents.
 constexpr unsigned char open_filter = 0, everything_filter = 1, any_byway_filter = 2, byway_filter = 3;
+constexpr float widest_m = 10;  // farther round a corner goes no walker
 constexpr unsigned char last_filter = byway_filter + CLQ_BYWAY_GROUPS - 1;
 static_assert(last_filter < DT_CROWD_MAX_QUERY_FILTER_TYPE, "DetourCrowd has so many filters");
 
@@ -39,6 +40,8 @@ struct Body {
     float near_m = 0.3f, own_speed = 1, speed = 1;  // speed: of the present goal
     bool complete = true;                           // the way leads to the goal
     bool cut = false;                               // it has as many polygons as a way can have, and goes on
+    float slope = 0;                                // of the ground that it went over last; positive: up
+    float wide_m = 0;                               // farther than usual round the corner before which it is held up
     // Of its track.
     const clq_locomotion *locomotion = nullptr;
     float heading_rad = 0;  // at which it rests; NaN: any
@@ -116,6 +119,7 @@ private:
     void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
     void go_back(uint32_t i, bool went_back);
     void look_along(uint32_t i);
+    float room_at(uint32_t i, dtPolyRef polygon, const float *corner, Flat outwards);
     float sight() const;
     void fill_cells();
     bool stays(uint32_t i) const;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/near_names.h"
 #include "samples/scenes/roles/performer.h"
 #include "samples/scenes/sky.h"
 #include "samples/scenes/studio_ground.h"
+#include "samples/scenes/template_names.h"
 
 namespace scenes::roles
 {
@@ -88,7 +90,9 @@ private:
         def.transform.scale = person.scale;
         if (!person.textures.empty()) {
             def.texture_set = clq_template_find_texture_set(tmpl, person.textures.c_str());
-            if (def.texture_set == CLQ_NONE) throw Failure("there are no textures '" + person.textures + "'");
+            if (def.texture_set == CLQ_NONE)
+                throw Failure("there are no textures '" + person.textures + "'" +
+                              claque::base::names_near(person.textures, names_of_texture_sets(tmpl)));
         }
         clq_actor actor = {};
         check(clq_actor_create(crowd(), &def, &actor));

@@ -90,6 +90,8 @@ void read_navigation(TomlTable &all, const ScenarioFiles &files, Scenario &scena
     if (described.has("cell_m")) made.cell_m = described.number("cell_m", {0.02, 2});
     if (described.has("body_radius_m")) made.body_radius_m = described.number("body_radius_m", {0.1, 2});
     if (described.has("time_gap_s")) made.time_gap_s = described.number("time_gap_s", {0, 5});
+    if (described.has("climbing")) made.climbing = described.number("climbing", {0.01, 1});
+    if (described.has("descending")) made.descending = described.number("descending", {0.01, 1});
     if (described.has("max_cells")) made.max_cells = described.whole("max_cells", {1, 4e9});
     if (described.has("walls_m")) made.walls_m = described.number("walls_m", {0, 20});
     described.done();

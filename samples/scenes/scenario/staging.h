@@ -37,7 +37,7 @@ struct ScenarioGround {
     std::string area;  // a file of the walkable area; empty: the rectangle, or what the setting has
     Outline rectangle;
     double radius_m = 0.2, height_m = 1.9, max_slope_deg = 40, max_step_m = 0.25, cell_m = 0;
-    std::optional<double> time_gap_s;
+    std::optional<double> time_gap_s, climbing, descending;
     double body_radius_m = 0.3;  // of the widest body, as others keep away from it
     uint64_t max_cells = 40000000;
     double walls_m = 0.3;  // height of the walls round the area, as they are drawn

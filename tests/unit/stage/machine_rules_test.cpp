@@ -52,6 +52,7 @@ TEST_F(MachineRules, OfNamesAreHeld)
     variable("'' = 1", "'' is no name");
     variable("3d = 1", "'3d' is no name");
     variable("walking = 1", "'walking' has a meaning of its own");
+    variable("own_speed = 1", "'own_speed' has a meaning of its own");
     variable("a = \"b\"", "'a' is not a number");
     variable("a = inf", "'a' is not finite");
     const auto mask = [&](const std::string &line, const std::string &rule) {

@@ -127,6 +127,30 @@ clq_track *track_of(const clq_locomotion *walk, const std::vector<clq_track_poin
     return made;
 }
 
+// The mean distance between the place that is shown and the given way, averaged over a stride of 1.1 s.
+double away_from_average_m(const track::Track &track, const std::vector<clq_track_point> &points)
+{
+    const auto given = [&](double time_s) {
+        size_t next = 1;
+        while (next + 1 < points.size() && points[next].time_s < time_s) ++next;
+        const clq_track_point &a = points[next - 1], &b = points[next];
+        const double part = (time_s - a.time_s) / (b.time_s - a.time_s);
+        return glm::dvec2(a.position[0], a.position[2]) * (1 - part) + glm::dvec2(b.position[0], b.position[2]) * part;
+    };
+    constexpr int parts = 22;
+    double sum = 0;
+    for (const clq_track_point &point : points) {
+        const double to_end_s = std::min(point.time_s - points.front().time_s, points.back().time_s - point.time_s);
+        const double half_s = std::min(0.55, to_end_s);
+        glm::dvec2 mean(0);
+        for (int i = 0; i < parts; ++i)
+            mean += given(point.time_s + half_s * ((2 * i + 1.0) / parts - 1)) / double(parts);
+        const glm::dvec3 shown = track::position_at(track, point.time_s);
+        sum += glm::length(glm::dvec2(shown.x, shown.z) - mean);
+    }
+    return sum / double(points.size());
+}
+
 constexpr uint32_t max_people = 4;  // of a file, evenly spread over it
 
 class FootLaw : public testing::TestWithParam<File>
@@ -180,15 +204,19 @@ TEST_P(FootLaw, HoldsForTenCharacters)
         ASSERT_NE(walk, nullptr);
         const test::SoleMeter meter(*walk, character.scale);
         test::Contacts contacts;
-        double mean_m = 0, max_m = 0;
+        double mean_m = 0, max_m = 0, from_average_m = 0;
         int people = 0;
         for (uint32_t i = 0; i < info.person_count; i += every, ++people) {
-            clq_track *track = track_of(walk, points_of(i), i, character.scale);
+            const std::vector<clq_track_point> points = points_of(i);
+            clq_track *track = track_of(walk, points, i, character.scale);
             contacts.add(meter.watch(*track));
+            if (points.size() > 1) from_average_m += away_from_average_m(*track, points);
             mean_m += track->mean_shift_m, max_m = std::max(max_m, track->max_shift_m);
             clq_track_destroy(track);
         }
-        std::printf("%s: %d people, path %.3f m, at most %.3f\n", GetParam().path, people, mean_m / people, max_m);
+        std::printf("%s: %d people, path %.3f m, at most %.3f, %.3f m from its average\n", GetParam().path, people,
+                    mean_m / people, max_m, from_average_m / people);
+        EXPECT_LE(from_average_m / people, 0.04) << character.name;
         const bool built_in = std::string(character.name).find('.') == std::string::npos;
         (built_in ? test::expect_law : test::expect_law_of_others)(character.name, contacts);
     }

@@ -88,6 +88,8 @@ TEST(NumberLimits, OfWalkers)
     expect_limits(usual, "plans", &Def::plans, 1, 16000, make);
     expect_limits(usual, "smooth_s", &Def::smooth_s, 0, 2, make);
     expect_limits(usual, "time_gap_s", &Def::time_gap_s, 0, 5, make);
+    expect_limits(usual, "climbing", &Def::climbing, 0.01, 1, make);
+    expect_limits(usual, "descending", &Def::descending, 0.01, 1, make);
     for (const auto &[ticks, tick_s, good] :
          {std::tuple<uint32_t, double, bool>{10, 0.01, true}, {9, 0.01, false}, {50, 0.2, true}, {51, 0.2, false}}) {
         Def def = usual;

@@ -1,5 +1,5 @@
 // Queues: bodies that keep apart at every step, doors and corridors that let through as many people as are measured,
-// and lanes of people who meet. All rows hold with the default walker, in ticks of 0.05 s.
+// and lanes of people who meet. All rows hold with the default walker.
 #include <algorithm>
 #include <cstdlib>
 
@@ -15,21 +15,26 @@ namespace
 
 const double body_m = double(clq_walker_def_init().radius_m);
 
-// CLAQUE_QUEUE_SEEDS: how many seeds are tried.
-unsigned seeds()
+// CLAQUE_QUEUE_SEEDS: how many seeds are tried; CLAQUE_QUEUE_TICK_S: a tick other than 0.05 s.
+std::vector<halls::Trial> trials()
 {
-    const char *wanted = std::getenv("CLAQUE_QUEUE_SEEDS");
-    return wanted ? unsigned(std::atoi(wanted)) : 1;
+    const char *seeds = std::getenv("CLAQUE_QUEUE_SEEDS"), *tick_s = std::getenv("CLAQUE_QUEUE_TICK_S");
+    std::vector<halls::Trial> all;
+    for (unsigned seed = 1; seed <= (seeds ? unsigned(std::atoi(seeds)) : 1); ++seed) {
+        all.push_back({seed});
+        if (tick_s) all.back().tick_s = std::atof(tick_s);
+    }
+    return all;
 }
 
 }  // namespace
 
 TEST(Queues, PassDoorsAsMeasuredAndNobodyTouchesAnother)
 {
-    for (unsigned seed = 1; seed <= seeds(); ++seed) {
+    for (const halls::Trial &trial : trials()) {
         double lowest = HUGE_VAL, highest = 0;
         for (const halls::Door &door : halls::doors) {
-            const halls::Passage passage = halls::through_a_door(door.width_m, door.people, seed);
+            const halls::Passage passage = halls::through_a_door(door.width_m, door.people, trial);
             EXPECT_EQ(passage.left, 0u) << door.width_m;
             EXPECT_GE(passage.nearest_m, 2 * body_m - 0.001) << door.width_m;
             EXPECT_GE(passage.flow, door.least) << door.width_m;
@@ -46,9 +51,9 @@ TEST(Queues, PassDoorsAsMeasuredAndNobodyTouchesAnother)
 
 TEST(Queues, WalkAsFastAsPeopleDoAtTheirDensity)
 {
-    for (unsigned seed = 1; seed <= seeds(); ++seed)
+    for (const halls::Trial &trial : trials())
         for (const double people_per_m2 : {1.0, 2.0, 3.0}) {
-            const halls::Round round = halls::walked_round(4, people_per_m2, 1, seed);
+            const halls::Round round = halls::walked_round(4, people_per_m2, 1, trial);
             // At 1 a square metre they are slower than people.
             EXPECT_NEAR(round.median_m_s, halls::weidmann_m_s(people_per_m2), people_per_m2 < 2 ? 0.25 : 0.15)
                 << people_per_m2;
@@ -58,9 +63,9 @@ TEST(Queues, WalkAsFastAsPeopleDoAtTheirDensity)
 
 TEST(Queues, FormLanesWherePeopleMeet)
 {
-    for (unsigned seed = 1; seed <= seeds(); ++seed)
+    for (const halls::Trial &trial : trials())
         for (const double people_per_m2 : {1.0, 1.5}) {
-            const halls::Round round = halls::walked_round(5, people_per_m2, 2, seed);
+            const halls::Round round = halls::walked_round(5, people_per_m2, 2, trial);
             EXPECT_GT(round.order, 0.8) << people_per_m2;
             EXPECT_GE(round.median_m_s, 0.7 * halls::weidmann_m_s(people_per_m2)) << people_per_m2;
             EXPECT_GE(round.nearest_m, 2 * body_m - 0.001) << people_per_m2;
@@ -72,15 +77,16 @@ TEST(Queues, StandStillBehindAClosedDoor)
 {
     halls::Floor hall = halls::hall_with_opening(2);
     hall.door(-1, 0, 1, 0.3);
-    halls::Crowd crowd(hall, 1);
+    const halls::Trial trial = trials()[0];
+    halls::Crowd crowd(hall, trial);
     EXPECT_EQ(clq_navigation_set_door(crowd.navigation(), 0, false), CLQ_OK);
     while (crowd.people.size() < 100) crowd.add(crowd.number(-7.5, 7.5), crowd.number(-15.5, -1));
     for (const halls::Person &one : crowd.people) crowd.go(one, 0, 11.5, 0.5f);
-    for (double time_s = 0; time_s < 40; time_s += halls::tick_s) crowd.step();
+    for (double time_s = 0; time_s < 40; time_s += trial.tick_s) crowd.step();
     const std::vector<halls::Person> before = crowd.people;
     std::vector<bool> moved(before.size());
     size_t at_the_door = 0;
-    for (double time_s = 0; time_s < 2; time_s += halls::tick_s) {
+    for (double time_s = 0; time_s < 2; time_s += trial.tick_s) {
         crowd.step();
         for (size_t i = 0; i < before.size(); ++i)
             if (std::hypot(crowd.people[i].x - before[i].x, crowd.people[i].z - before[i].z) > 0.02) moved[i] = true;

@@ -1,5 +1,6 @@
 #include "samples/hosts/osg/plugin/member.h"
 
+#include "lib/base/near_names.h"
 #include "samples/io/files.h"
 #include "samples/scenes/random.h"
 
@@ -28,6 +29,15 @@ void try_class(const clq_colour_map *map, uint32_t colour_class, const clq_templ
     check(clq_colour_map_sample(map, &def, rgb.data(), info.zone_count));
 }
 
+std::vector<std::string> classes_of(const clq_colour_map *map)
+{
+    clq_colour_map_def def = clq_colour_map_def_init();
+    check(clq_colour_map_get_def(map, &def));
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < def.class_count; ++i) names.emplace_back(def.classes[i].name);
+    return names;
+}
+
 }  // namespace
 
 Member::Member(scenes::Library &library, const PersonFile &file)
@@ -54,10 +64,11 @@ Member::Member(scenes::Library &library, const PersonFile &file)
         map_ = scenes::read_colours(library, text, file.colours);
         colour_class_ = file.colour_class.empty() ? clq_colour_map_find_template(map_.get(), name_of(tmpl()).c_str())
                                                   : clq_colour_map_find(map_.get(), file.colour_class.c_str());
+        const bool named = !file.colour_class.empty();
         if (colour_class_ == CLQ_NONE)
-            throw scenes::Failure(
-                file.colours + " has no class " +
-                (file.colour_class.empty() ? "for the template " + name_of(tmpl()) : "named " + file.colour_class));
+            throw scenes::Failure(file.colours + " has no class " +
+                                  (named ? "named " + file.colour_class : "for the template " + name_of(tmpl())) +
+                                  claque::base::names_near(file.colour_class, classes_of(map_.get())));
         try_class(map_.get(), colour_class_, tmpl());
     });
 }
