@@ -29,7 +29,7 @@ public:
     // Speeds are spread as Weidmann states (Transporttechnik der Fussgaenger, 1993).
     Crowd(const Floor &floor, const Trial &trial);
 
-    // False: there is somebody. speed_m_s 0: one of Weidmann's.
+    // Returns false where somebody stands. Speed 0 draws one from Weidmann's distribution.
     bool add(double x, double z, float speed_m_s = 0);
     double number(double from, double to) { return std::uniform_real_distribution<double>(from, to)(random_); }
     void go(const Person &one, double x, double z, float near_m, double y = 0);

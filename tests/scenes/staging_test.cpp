@@ -92,12 +92,21 @@ TEST(Staging, HasItsPlacesGroundDoorsAndAgents)
     EXPECT_EQ(stage.agents[1].heading_deg, 90);
 }
 
+TEST(Staging, HasThePacesOfItsStairsOrThoseOfTheWalkers)
+{
+    EXPECT_FALSE(read_hall(hall).stage->ground->climbing.has_value());
+    const Scenario read = read_hall(hall_with("[navigation]\n", "[navigation]\nclimbing = 0.7\ndescending = 0.9\n"));
+    EXPECT_EQ(read.stage->ground->climbing, 0.7);
+    EXPECT_EQ(read.stage->ground->descending, 0.9);
+    for (const char *line : {"climbing = 0.0\n", "descending = 1.5\n"})
+        expect_refused(hall_with("[navigation]\n", std::string("[navigation]\n") + line), {"[navigation]", "ing' = "});
+}
+
 TEST(Staging, ThatNamesWhatIsNotThereIsRefusedAtTheName)
 {
     expect_refused(hall_with("\"guests\"\nmachine", "\"ghosts\"\nmachine"),
                    {"[[agents]] 1", "'ghosts'", "'guests' is near"});
-    expect_refused(hall_with("[\"far gate\"]", "[\"no gate\"]"),
-                   {"[[agents]] 1", "'exits'", "'no gate'", "'gate'"});
+    expect_refused(hall_with("[\"far gate\"]", "[\"no gate\"]"), {"[[agents]] 1", "'exits'", "'no gate'", "'gate'"});
     expect_refused(hall_with("[\"gate\", \"far gate\"]", "[]"), {"[[agents]] 2", "'from' without a place"});
     expect_refused(hall_with("guest.toml", "none.toml"), {"[[agents]] 1", "'machine'", "none.toml is absent"});
     expect_refused(hall_with("alarm.toml", "none.toml"), {"mine.toml:5:13", "'timetable'", "none.toml is absent"});

@@ -20,7 +20,7 @@ Scenario corridor(const char *speed)
     const std::string folder = testing::TempDir() + "claque_own_speeds" + std::to_string(std::string(speed).size());
     std::filesystem::create_directories(folder);
     std::ofstream machine(folder + "/walker.toml"), hall(folder + "/hall.wkt"), scenario(folder + "/corridor.toml");
-    machine << "machine = 'walker'\n[variables]\nown = 0.0\n[events]\ncross = 0\n[states.a]\ninitial = true\n"
+    machine << "machine = 'walker'\n[variables]\nown = 0.0\n[states.a]\ninitial = true\n"
                "transitions = [ { after = 0.2, to = 'b' } ]\n[states.b]\nenter = [ { set = 'own', to = 'own_speed' }, "
                "{ go = 'other side'"
             << speed << " } ]\n[places]\n'other side' = [0.0, 0.0, 58.0]\n";

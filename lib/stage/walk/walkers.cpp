@@ -23,8 +23,8 @@ clq_walkers_def checked(const clq_walkers_def &def)
     require_range("plans", def.plans, 1, 16000);
     require_range("smooth_s", double(def.smooth_s), 0, 2);
     require_range("time_gap_s", double(def.time_gap_s), 0, 5);
-    require_range("climbing", double(def.climbing), 0.01, 1),
-        require_range("descending", double(def.descending), 0.01, 1);
+    require_range("climbing", double(def.climbing), 0.01, 1);
+    require_range("descending", double(def.descending), 0.01, 1);
     return def;
 }
 

@@ -26,7 +26,7 @@ constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wan
 
 // Filters of the crowd's agents.
 constexpr unsigned char open_filter = 0, everything_filter = 1, any_byway_filter = 2, byway_filter = 3;
-constexpr float widest_m = 10;  // farther round a corner goes no walker
+constexpr float widest_m = 10;  // the most that a walker goes wide of a corner
 constexpr unsigned char last_filter = byway_filter + CLQ_BYWAY_GROUPS - 1;
 static_assert(last_filter < DT_CROWD_MAX_QUERY_FILTER_TYPE, "DetourCrowd has so many filters");
 

@@ -48,7 +48,7 @@ void fill(Crowd &crowd, size_t count, double x0, double z0, double x1, double z1
     ASSERT_EQ(crowd.people.size(), wanted);
 }
 
-// Steps until `is_out` holds for everybody, who are then away. Returns the seconds; 0: some stay.
+// Steps, and removes each person for whom `is_out` holds. Returns the seconds until the floor is empty; 0: it is not.
 double emptied_s(
     Crowd &crowd, double most_s, const std::function<bool(const Person &)> &is_out,
     const std::function<void(double)> &each = [](double) {})
