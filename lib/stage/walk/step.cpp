@@ -11,8 +11,8 @@ namespace
 {
 
 constexpr float wide_m = 0.1f;  // round a corner
-// Crowds turn on the whole width of a way: a walker that creeps before a corner goes round it wider and wider, and keeps
-// some distance from the opposite wall.
+// Crowds turn on the whole width of a way: a walker that creeps before a corner goes round it wider and wider, and
+// keeps some distance from the opposite wall.
 constexpr float held_up = 0.5f, widening_m_s = 0.7f, opposite_m = 1.5f;
 constexpr float sharp = 0.2f;        // the length of the difference of the directions before and after a corner
 constexpr float passed_m = 0.06f;    // a corner so near is passed
