@@ -67,7 +67,10 @@ void add_plot(CLI::App &app, Work &chosen)
 {
     auto a = std::make_shared<PlotArguments>();
     CLI::App *c = app.add_subcommand("plot", "Draw measurements as a chart");
-    c->add_option("FILE", a->file, "A report of 'bench SCENE --json' along a camera path, or a line chart (JSON)")
+    c->add_option(
+         "FILE", a->file,
+         "A report of 'bench SCENE --json' along a camera path, or a line chart, as 'bench doors', 'bench walking' "
+         "and 'bench growth' write with --save (JSON)")
         ->required();
     c->add_option("--out,-o", a->out, "The chart, PNG or SVG by its name; - is SVG on standard output")
         ->required()

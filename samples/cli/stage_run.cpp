@@ -231,8 +231,8 @@ void run_stage(const StageArguments &a)
     if (measures_any(a.measures)) report["measures"] = measure_record(library, a, progress);
     report["warnings"] = library.warnings();
     if (!a.json.empty()) write_whole(a.json, report.dump(2) + "\n");
-    progress.conclude(a.setup.scenario + ": " + report["frames"].dump() + " frames, " + report["decisions"].dump() +
-                      " decisions");
+    progress.conclude(a.setup.scenario + ": " + report["came"].dump() + " people came, " + report["left"].dump() +
+                      " left; " + report["frames"].dump() + " frames, " + report["decisions"].dump() + " decisions");
 }
 
 }  // namespace cli

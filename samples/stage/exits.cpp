@@ -1,5 +1,8 @@
-// `call = "exit"`: the event "exit" comes back, and its place is the exit with the shortest way. `call = "leave"`: the
-// caller leaves the run.
+// `call = "exit"`: the event "exit" comes back with the place of an exit. Without widths that is the exit with the
+// shortest way. With widths it is the exit through which the caller is out first: a person takes as long as its way, or
+// as the queue of the people who chose the same exit before it and have a shorter way. `call = "leave"`: the caller
+// leaves the run.
+#include <algorithm>
 #include <cmath>
 
 #include "samples/stage/run.h"
@@ -8,6 +11,12 @@ namespace staged
 {
 namespace
 {
+
+constexpr double speed_m_s = 1.34;  // Weidmann 1993
+constexpr double people_per_s_m =
+    1.5;                          // through a door that is full: Queues.PassDoorsAsMeasuredAndNobodyTouchesAnother
+constexpr double worth_it = 0.6;  // of the time, for an exit other than the nearest, or later than the one before
+constexpr double closed_m = 1e6;  // an exit behind a closed door is the last choice
 
 class Exits final : public Service
 {
@@ -20,22 +29,76 @@ public:
         const scenes::ScenarioAgents &agents = run.agents_of(call.person);
         if (agents.exits.empty())
             throw scenes::Failure(agents.at + ": its machine calls 'exit', and it has no 'exits'");
-        const std::array<double, 3> from = run.place_of(call.person);
-        const double *nearest = nullptr;
-        double least = HUGE_VAL;
-        for (const size_t exit : agents.exits) {
-            const scenes::Place &place = run.stage().places[exit];
-            clq_way way = clq_way_init();
-            scenes::check(
-                clq_navigation_find_way(run.navigation(), from.data(), place.position.data(), 0, nullptr, &way));
-            if (way.point_count == 0)
-                throw scenes::Failure(agents.at + ": the exit '" + place.name + "' is on no ground");
-            // An exit behind a closed door is the last choice.
-            const double length = way.length + (way.complete ? 0 : 1e6);
-            if (length < least) least = length, nearest = place.position.data();
+        choices_.resize(run.people().all().size());
+        std::vector<Choice> all;
+        for (const size_t exit : agents.exits) all.push_back({exit, call.time_s, way_m(run, call.person, exit)});
+        const auto nearer = [](const Choice &a, const Choice &b) { return a.way_m < b.way_m; };
+        Choice best = *std::min_element(all.begin(), all.end(), nearer);
+        if (!agents.exit_widths_m.empty()) {
+            const Choice &before = choices_[call.person];
+            const uint64_t usual = before.exit == none ? best.exit : before.exit;
+            double least_s = HUGE_VAL;
+            for (size_t k = 0; k < all.size(); ++k) {
+                const double queue_s = queue_before_s(run, call, all[k], people_per_s_m * agents.exit_widths_m[k]);
+                const double own_s = std::max(all[k].way_m / speed_m_s, queue_s);
+                const double cost_s = own_s * (all[k].exit == usual ? worth_it : 1);
+                if (cost_s < least_s) least_s = cost_s, best = all[k];
+            }
         }
-        run.send(call.person, "exit", nearest, least);
+        choices_[call.person] = best;
+        run.send(call.person, "exit", run.stage().places[best.exit].position.data(), best.way_m);
     }
+
+    void gone(Run &, uint32_t person) override
+    {
+        if (person < choices_.size()) choices_[person] = Choice();
+    }
+
+    void put(BytesOut &out) const override
+    {
+        out.put<uint64_t>(choices_.size());
+        for (const Choice &one : choices_) out.put(one.exit), out.put(one.time_s), out.put(one.way_m);
+    }
+    void take(Run &run, BytesIn &in) override
+    {
+        choices_.resize(in.count(run.people().all().size()));
+        for (Choice &one : choices_)
+            one.exit = in.take<uint64_t>(), one.time_s = in.take<double>(), one.way_m = in.take<double>();
+    }
+
+private:
+    static constexpr uint64_t none = ~uint64_t(0);
+    struct Choice {
+        uint64_t exit = none;  // of the places
+        double time_s = 0, way_m = 0;
+    };
+
+    static double way_m(Run &run, uint32_t person, size_t exit)
+    {
+        const scenes::Place &place = run.stage().places[exit];
+        clq_way way = clq_way_init();
+        scenes::check(clq_navigation_find_way(run.navigation(), run.place_of(person).data(), place.position.data(), 0,
+                                              nullptr, &way));
+        if (way.point_count == 0)
+            throw scenes::Failure(run.agents_of(person).at + ": the exit '" + place.name + "' is on no ground");
+        return way.length + (way.complete ? 0 : closed_m);
+    }
+
+    // When the people who are nearer have passed: they pass from the arrival of the first of them on. Their ways have
+    // become shorter since they chose.
+    double queue_before_s(const Run &run, const Call &call, const Choice &own, double people_per_s) const
+    {
+        double count = 0, first_m = own.way_m;
+        for (const uint32_t person : run.here()) {
+            const Choice &other = choices_[person];
+            const double left_m = std::max(0.0, other.way_m - speed_m_s * (call.time_s - other.time_s));
+            if (person == call.person || other.exit != own.exit || left_m >= own.way_m) continue;
+            ++count, first_m = std::min(first_m, left_m);
+        }
+        return first_m / speed_m_s + count / people_per_s;
+    }
+
+    std::vector<Choice> choices_;  // by person
 };
 
 }  // namespace

@@ -107,6 +107,8 @@ TEST(Staging, ThatNamesWhatIsNotThereIsRefusedAtTheName)
     expect_refused(hall_with("\"guests\"\nmachine", "\"ghosts\"\nmachine"),
                    {"[[agents]] 1", "'ghosts'", "'guests' is near"});
     expect_refused(hall_with("[\"far gate\"]", "[\"no gate\"]"), {"[[agents]] 1", "'exits'", "'no gate'", "'gate'"});
+    expect_refused(hall_with("exits = [\"far gate\"]\n", "exits = [\"far gate\"]\nexit_widths_m = [1.0, 2.0]\n"),
+                   {"[[agents]] 1 has 1 'exits' and 2 widths of them"});
     expect_refused(hall_with("[\"gate\", \"far gate\"]", "[]"), {"[[agents]] 2", "'from' without a place"});
     expect_refused(hall_with("guest.toml", "none.toml"), {"[[agents]] 1", "'machine'", "none.toml is absent"});
     expect_refused(hall_with("alarm.toml", "none.toml"), {"mine.toml:5:13", "'timetable'", "none.toml is absent"});

@@ -57,6 +57,12 @@ void read_where(TomlTable &described, const Staging &stage, ScenarioAgents &made
     if (described.has("apart_m")) made.apart_m = described.number("apart_m", {0, 100});
     if (described.has("heading_deg")) made.heading_deg = described.number("heading_deg", {-360, 360});
     if (described.has("exits")) made.exits = places_named(described, stage, "exits");
+    if (!described.has("exit_widths_m")) return;
+    made.exit_widths_m = described.numbers("exit_widths_m", {0.1, 1000});
+    if (made.exit_widths_m.size() != made.exits.size())
+        described.refuse("has " + std::to_string(made.exits.size()) + " 'exits' and " +
+                             std::to_string(made.exit_widths_m.size()) + " widths of them",
+                         "exit_widths_m");
 }
 
 void read_when(TomlTable &described, const Staging &stage, ScenarioAgents &made)

@@ -58,6 +58,7 @@ struct ScenarioAgents {
     double per_minute = 0;              // so many follow; 0: all at once
     std::optional<double> heading_deg;  // none: any
     std::vector<size_t> exits;          // places where they leave
+    std::vector<double> exit_widths_m;  // of each; empty: the nearest exit is taken
     std::string at, machine_at;
 };
 
