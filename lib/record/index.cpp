@@ -97,12 +97,12 @@ void Contents::check_index(uint64_t at, uint64_t blocks) const
     uint64_t run_count = 0;
     const IndexedState *before = nullptr;
     for (const IndexedState &state : index_.states) {
-        require_index(state.block < blocks && state.block_at >= file_header_bytes && state.at > state.block_at &&
-                          state.at < at && state.steps_before <= index_.step_count,
+        require_index(state.block < blocks && state.at > state.block_at && state.at < at &&
+                          state.steps_before <= index_.step_count,
                       "has a state that is not in it");
-        require_index(state.earliest_s <= HUGE_VAL && state.earliest_s > -HUGE_VAL &&
-                          std::isfinite(state.earliest_s) == (state.steps_before < index_.step_count),
-                      "has a state without a time");
+        require_index(
+            state.earliest_s > -HUGE_VAL && std::isfinite(state.earliest_s) == (state.steps_before < index_.step_count),
+            "has a state without a time");
         require_index(state.first_run == run_count && state.runs <= index_.runs.size() - run_count,
                       "has a state with other tracks");
         uint64_t next_track = 0;

@@ -11,19 +11,13 @@ namespace
 namespace format = claque::record;
 using format::Kind;
 using records::Bytes;
+using records::number_in;
 
 struct Entry {
     Kind kind;
     Bytes fields;
 };
 using Entries = std::vector<Entry>;
-
-uint64_t number_in(const Bytes &bytes, size_t at, size_t size)
-{
-    uint64_t out = 0;
-    for (size_t i = 0; i < size; ++i) out |= uint64_t(bytes[at + i]) << (8 * i);
-    return out;
-}
 
 Entries entries_of(const Bytes &bytes)
 {
@@ -127,7 +121,8 @@ TEST_F(RecordEntries, BeforeWhatTheyNeedAreRefused)
     refused({def}, "ends before its first state");
     for (const Entry &early : {step, Entry{Kind::key_state, state.fields}, Entry{Kind::actor_destroy, actor}})
         refused({def, early}, "a record has calls before its first state");
-    refused({def, state}, "a record names template ");
+    refused({def, state}, "a record names template 0, and has 0 before");
+    refused({def, good_[first(Kind::tmpl)], state}, "a record names template 1, and has 1 before");
     refused({def, {Kind::tmpl, {1, 2, 3}}}, "template 0 of a record has no name");
     refused(with({Kind::track, {1, 2, 3}}), "of a record is empty");
     refused(with({static_cast<Kind>(10), {}}), "an entry of kind 10, which this library does not know");

@@ -15,6 +15,13 @@ namespace records
 
 using saved::Bytes;
 
+inline uint64_t number_in(const Bytes &bytes, size_t at, size_t size)
+{
+    uint64_t out = 0;
+    for (size_t i = 0; i < size; ++i) out |= uint64_t(bytes[at + i]) << (8 * i);
+    return out;
+}
+
 struct Threads {
     uint32_t count = 1;
     static void run(void *user, uint32_t count, void (*task)(void *data, uint32_t index), void *data)

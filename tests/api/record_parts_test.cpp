@@ -9,7 +9,9 @@
 namespace
 {
 
+namespace format = claque::record;
 using records::Bytes;
+using records::number_in;
 using records::Player;
 using records::Recording;
 using records::Shown;
@@ -19,6 +21,15 @@ constexpr uint32_t steps = 1500;
 class RecordsInParts : public testing::Test
 {
 protected:
+    // Gives a block that was changed right checksums.
+    static void seal(Bytes &bytes, size_t block, uint64_t number)
+    {
+        const auto size = static_cast<uint32_t>(number_in(bytes, block, 4));
+        const uint64_t checksum = format::checksum_of(bytes.data() + block + format::block_header_bytes, size, number);
+        saved::put(bytes, block + 4, format::check_of_header(size, checksum, number), 4);
+        saved::put(bytes, block + 8, checksum, 8);
+    }
+
     TestWorld world_;
     Recording run_ = records::run(world_, steps, 21, 1500);
 };
@@ -196,17 +207,28 @@ TEST_F(RecordsInParts, WithAChangedByteShowNothingElse)
     EXPECT_LT(unharmed, 20u) << "blocks after the last step";
 }
 
+// A part is read when it is played: what it names has to be there, as in a record that is read at once.
+TEST_F(RecordsInParts, WithAStateOfATemplateThatIsNotThereAreRefusedWhereTheyArePlayed)
+{
+    Bytes bytes = run_.bytes;
+    size_t at = format::file_header_bytes + format::block_header_bytes;
+    while (static_cast<format::Kind>(bytes[at + 4]) != format::Kind::state) at += 4 + number_in(bytes, at, 4);
+    ASSERT_EQ(number_in(bytes, at + 5, 4), 2u) << "templates";
+    saved::put(bytes, at + 5 + 4, 2, 4);
+    seal(bytes, format::file_header_bytes, 0);
+    Player parts(world_, bytes, clq_record_open);
+    ASSERT_TRUE(parts.opened()) << clq_last_error();
+    EXPECT_EQ(clq_record_play_step(parts.record, parts.crowd, 0), CLQ_FORMAT);
+    EXPECT_STREQ(clq_last_error(), "clq_record_play_step: a record names template 2, and has 2 before");
+}
+
 // An index of any content under right checksums.
 TEST_F(RecordsInParts, WithAnyIndexAreRefusedOrHarmless)
 {
-    namespace format = claque::record;
-    const auto number_at = [&](size_t at, size_t size) {
-        uint64_t value = 0;
-        for (size_t i = 0; i < size; ++i) value |= uint64_t(run_.bytes[at + i]) << (8 * i);
-        return value;
-    };
-    const size_t end = run_.bytes.size(), block = number_at(end - 12, 8), begin = block + format::block_header_bytes;
-    const auto number = static_cast<uint32_t>(number_at(end - 4, 4)), size = static_cast<uint32_t>(end - begin);
+    const size_t end = run_.bytes.size(), block = number_in(run_.bytes, end - 12, 8),
+                 begin = block + format::block_header_bytes;
+    const auto number = static_cast<uint32_t>(number_in(run_.bytes, end - 4, 4)),
+               size = static_cast<uint32_t>(end - begin);
     size_t refused = 0, played = 0;
     for (uint64_t seed = 0; seed < 3000; ++seed) {
         Bytes bytes = run_.bytes;
@@ -220,9 +242,7 @@ TEST_F(RecordsInParts, WithAnyIndexAreRefusedOrHarmless)
             else
                 for (size_t i = 0; i < 8 && at + i < end; ++i) bytes[at + i] = run_.bytes[other + i];
         }
-        const uint64_t checksum = format::checksum_of(bytes.data() + begin, size, number);
-        saved::put(bytes, block + 4, format::check_of_header(size, checksum, number), 4);
-        saved::put(bytes, block + 8, checksum, 8);
+        seal(bytes, block, number);
         clq_record *record = nullptr;
         if (clq_record_open(world_.context, bytes.data(), end, &record) != CLQ_OK) {
             ++refused;
