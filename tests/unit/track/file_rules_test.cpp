@@ -166,6 +166,8 @@ TEST_F(SavedTrackRules, OfHeights)
     const char *const height = "a step of a saved track is at an impossible height";
     for (int foot = 0; foot < 2; ++foot) {
         RANGE(height, made.plants[foot][1].y, {1e6, -1e6, NAN}, {1.001e6, -1.001e6, INFINITY, -INFINITY});
+        RANGE(height, made.plants[foot][1].slope, {0, track::max_slope, -track::max_slope},
+              {track::max_slope + 1e-5, -track::max_slope - 1e-5, INFINITY, NAN});
         RANGE(height, made.swings[foot].y, {1e6, -1e6}, {1.001e6, -1.001e6, INFINITY, -INFINITY, NAN});
     }
     const double most = track::max_sink * double(good_.locomotion->leg_length) * good_.scale / track::sink_step_m;

@@ -115,6 +115,11 @@ TEST(Locomotion, RefusesEachWrongClipByItsName)
     EXPECT_EQ(said(clips), "") << "one stands with a pose";
     clips.idles[0] = 1000;
     EXPECT_TRUE(begins(said(clips), "the standing clip is clip 1000 of ")) << said(clips);
+    clips = citizen.clips;
+    while (clips.idle_count < track::max_idles) clips.idles[clips.idle_count++] = clips.idles[0];
+    EXPECT_EQ(said(clips), "");
+    clips.run = clips.slow = clips.turn = model::none;
+    EXPECT_EQ(said(clips), "") << "one that only walks";
     clips.idle_count = track::max_idles + 1;
     EXPECT_TRUE(begins(said(clips), "5 clips to stand with: at most 4 are possible")) << said(clips);
 }

@@ -1,4 +1,5 @@
 // The nodes of legs, torso, neck and head: each one that there is not, or that hangs elsewhere, is refused by name.
+#include <cmath>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -119,6 +120,48 @@ TEST(SpeedsOfClips, AscendFromTheSlowWalkToTheRun)
     EXPECT_NE(refusal(0.9, 1, 1, 0.9f).find("; name another one (--walk of the command, clips of a scenario's class"),
               std::string::npos);
     EXPECT_EQ(refusal(0.9, 1, 1.1, 9.9f), "");
+    EXPECT_NE(refusal(0.9, 1, 1.1, 10).find("carries the body 0.1 of a leg's length a cycle"), std::string::npos);
     EXPECT_NE(refusal(0.9, 1, 1.1, 10.1f).find("of a leg's length a cycle: a walk in place is wanted"),
               std::string::npos);
+}
+
+// A walk that has neither is as fast as itself.
+TEST(SpeedsOfClips, AreAskedOfARunAndASlowWalkThatThereAre)
+{
+    const track::Locomotion &citizen = test::locomotion_of("citizen");
+    for (const bool has_run : {false, true})
+        for (const bool has_slow : {false, true}) {
+            track::Locomotion made(std::pmr::get_default_resource());
+            made.clips = citizen.clips, made.leg_length = 1;
+            for (uint32_t step = 0; step < track::gait_step_count; ++step) made.stride[step] = made.cycle_s[step] = 1;
+            if (!has_run) made.clips.run = model::none;
+            if (!has_slow) made.clips.slow = model::none;
+            const std::string refusal = said([&] { track::check_speeds(*citizen.tmpl, made); });
+            EXPECT_EQ(refusal.empty(), !has_run && !has_slow) << refusal;
+        }
+}
+
+// Low feet move back, or aside by up to 60 degrees; steps on the spot have no direction.
+TEST(DirectionsOfClips, AreAheadUpTo60Degrees)
+{
+    const track::Locomotion &citizen = test::locomotion_of("citizen");
+    const auto refusal = [&](double x, double z) {
+        return said([&] { track::check_direction(*citizen.tmpl, citizen.clips.walk, x, z); });
+    };
+    EXPECT_EQ(refusal(0, 0.1), "");
+    EXPECT_NE(refusal(0, 0.1000001).find("move forward at stance, and its "), std::string::npos) << refusal(0, 0.11);
+    EXPECT_EQ(refusal(0.06, 0.08), "");
+    EXPECT_NE(refusal(0.0601, 0.08), "");
+    const double aside = std::sqrt(3.0);  // of 1 back or ahead: 60 degrees
+    for (const double x : {aside, -aside}) {
+        EXPECT_EQ(refusal(x, -1.0000001), "");
+        const std::string back = refusal(x, -0.9999999), level = refusal(x, 0), ahead = refusal(x, 0.9999999);
+        for (const std::string &sideways : {back, level, ahead}) {
+            EXPECT_NE(sideways.find("move sideways at stance"), std::string::npos) << sideways;
+            EXPECT_NE(sideways.find("it faces +z: the clip walks aside; "), std::string::npos) << sideways;
+        }
+        const std::string forward = refusal(x, 1.0000001);
+        EXPECT_NE(forward.find("move forward at stance"), std::string::npos) << forward;
+        EXPECT_NE(forward.find("it faces +z: the clip walks backwards; "), std::string::npos) << forward;
+    }
 }
