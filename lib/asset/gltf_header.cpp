@@ -30,7 +30,6 @@ Version version_of(const JsonView &view)
 
 void check_version(const JsonView &asset)
 {
-    asset.object();
     const Version made = version_of(asset["version"]);
     const Version least = asset["minVersion"].exists() ? version_of(asset["minVersion"]) : Version{made.major, 0};
     if (made.major != 2) fail(CLQ_UNSUPPORTED, "glTF version %ld.%ld: version 2 is read", made.major, made.minor);
@@ -65,7 +64,6 @@ bool is_followed(std::string_view name)
 
 void check_header(const JsonView &document)
 {
-    document.object();
     check_version(document["asset"]);
     const JsonView used = document["extensionsUsed"], required = document["extensionsRequired"];
     for (size_t i = 0; i < used.count(); ++i) used.at(i).text();

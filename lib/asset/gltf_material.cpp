@@ -59,15 +59,12 @@ void check_textures(const File &file)
     const JsonView textures = file.root["textures"];
     check_objects(file.root["samplers"]);
     for (size_t i = 0; i < textures.count(); ++i) {
-        textures.at(i).object();
         textures.at(i)["source"].index_or_none(file.root["images"].count(), "image");
         textures.at(i)["sampler"].index_or_none(file.root["samplers"].count(), "sampler");
     }
     const JsonView images = file.root["images"];
-    for (size_t i = 0; i < images.count(); ++i) {
-        images.at(i).object();
+    for (size_t i = 0; i < images.count(); ++i)
         images.at(i)["bufferView"].index_or_none(file.buffers.view_count(), "buffer view");
-    }
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "lib/asset/image.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "lib/asset/decoders.h"
@@ -71,7 +70,7 @@ void check_jpeg(const uint8_t *bytes, size_t size, const char *name)
         if (marker == 0xda) ++scans;
         const uint32_t length = i + 3 < size ? uint32_t(bytes[i + 2]) << 8 | bytes[i + 3] : 0;
         if (marker == 0xc4) check_tables(bytes, size, i + 4, length, name);
-        i += 2 + std::max(length, 2u);
+        i += 2 + length;
     }
     if (scans > max_scans) fail(CLQ_LIMIT, "image '%s': the JPEG has %u scans, %u are read", name, scans, max_scans);
 }

@@ -45,6 +45,9 @@ TEST(Image, WhoseChunksAreCutOffIsRefusedByTheChunk)
     Bytes longer = good;
     longer[8 + 3] = 200;
     image_refused(longer, CLQ_FORMAT, "PNG chunk 0 says 200 bytes, ");
+    longer = good;
+    longer[longer.size() - 12 + 3] = 1;
+    image_refused(longer, CLQ_FORMAT, "PNG chunk 2 says 1 bytes, 0 are left");
     Bytes empty = good;
     for (size_t i = 16; i < 24; ++i) empty[i] = 0;
     image_refused(empty, CLQ_FORMAT, "its header is broken");
@@ -64,6 +67,23 @@ TEST(Image, ThatWouldTakeTooMuchIsRefusedByItsSize)
     Bytes claims = grey(8, 8);
     claims[18] = claims[22] = 0x20;  // 8200 x 8200
     image_refused(claims, CLQ_LIMIT, "says 8200 x 8200 pixels in ");
+}
+
+// A picture of 4096 x 4096 may be all of one colour; a larger one has a byte for each 256 pixels.
+TEST(Image, ThatSaysMorePixelsThanItsBytesCanHoldIsNotBelieved)
+{
+    ImageLimits limits;
+    limits.max_bytes = 0;
+    const char *const believed = " would take ", *const not_believed = "pixels in ";
+    Bytes claims = grey(8, 8);
+    claims[18] = claims[22] = 0x10, claims[19] = claims[23] = 0;
+    image_refused(claims, CLQ_LIMIT, believed, limits);
+    claims[23] = 1;  // 4096 x 4097
+    image_refused(claims, CLQ_LIMIT, not_believed, limits);
+    claims.resize(4097 * 16 - 1);  // behind its end
+    image_refused(claims, CLQ_LIMIT, not_believed, limits);
+    claims.push_back(0);
+    image_refused(claims, CLQ_LIMIT, believed, limits);
 }
 
 }  // namespace

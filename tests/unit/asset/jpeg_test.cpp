@@ -50,7 +50,7 @@ Bytes counts(uint8_t last, uint8_t before_last)
 TEST(Jpeg, ATableWithMoreCodesThanItsDecoderHoldsIsRefused)
 {
     const auto has_many = [](const std::string &text) { return text.find("257 codes") != std::string::npos; };
-    EXPECT_FALSE(has_many(refusal_of(tables({counts(255, 1)})))) << "256 are legal";
+    EXPECT_EQ(refusal_of(tables({counts(255, 1)})).find("Huffman"), std::string::npos) << "256 are legal";
     EXPECT_TRUE(has_many(refusal_of(tables({counts(255, 2)}))));
     EXPECT_TRUE(has_many(refusal_of(tables({counts(9, 0), counts(255, 2)})))) << "the second table of a segment";
     Bytes beyond = tables({counts(255, 2)});
@@ -64,6 +64,55 @@ TEST(Jpeg, ATableWithMoreCodesThanItsDecoderHoldsIsRefused)
     comment.insert(comment.end(), table.begin(), table.end());
     comment.resize(4 + 0x200 - 2);
     EXPECT_FALSE(has_many(refusal_of(comment))) << "a comment may hold anything";
+    // Markers without a segment: the next one stands right behind them.
+    for (const uint8_t alone : {0x00, 0xd0, 0xd7, 0xd8}) {
+        Bytes behind = {0xff, alone};
+        behind.insert(behind.end(), table.begin(), table.end());
+        EXPECT_TRUE(has_many(refusal_of(behind))) << int(alone);
+    }
+    for (const uint8_t with_segment : {0x01, 0xcf, 0xda, 0xfe}) {
+        Bytes within = comment;
+        within[1] = with_segment;
+        EXPECT_FALSE(has_many(refusal_of(within))) << int(with_segment);
+    }
+    Bytes ended = {0xff, 0xd9, 0, 2}, unmarked = {0xff, 0};
+    ended.insert(ended.end(), table.begin(), table.end());
+    EXPECT_FALSE(has_many(refusal_of(ended))) << "behind the end";
+    unmarked.insert(unmarked.end(), table.begin() + 1, table.end());
+    EXPECT_FALSE(has_many(refusal_of(unmarked))) << "compressed data";
+    // A segment without a length, or of none, hides nothing.
+    for (const uint8_t length : {0, 1}) {
+        Bytes empty = {0xff, 0xfe, 0, length};
+        empty.insert(empty.end(), table.begin(), table.end());
+        EXPECT_TRUE(has_many(refusal_of(empty))) << int(length);
+    }
+}
+
+TEST(Jpeg, ThatEndsAnywhereInATableIsReadToItsEnd)
+{
+    Bytes whole = {0xff, 0xd8};
+    const Bytes table = tables({counts(255, 2)});
+    whole.insert(whole.end(), table.begin(), table.end());
+    for (size_t size = 3; size <= whole.size(); ++size) {
+        const Bytes file(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size));
+        const Outcome found =
+            outcome_of([&] { asset::decode_image(file.data(), file.size(), "face", asset::ImageLimits()); });
+        EXPECT_EQ(found.status, CLQ_FORMAT) << size << ": " << found.text;
+        // The codes of all lengths are there.
+        EXPECT_EQ(found.text.find("257 codes") != std::string::npos, size >= 2 + 4 + 17) << size << ": " << found.text;
+    }
+}
+
+TEST(Jpeg, OfMoreThan100ScansIsRefused)
+{
+    const auto scans = [](int count, uint8_t before) {
+        Bytes out = {0xff, before};
+        for (int i = 0; i < count; ++i) out.insert(out.end(), {0xff, 0xda, 0, 2, 7});
+        return refusal_of(out);
+    };
+    EXPECT_EQ(scans(100, 0xd8).find("scans"), std::string::npos);
+    EXPECT_NE(scans(101, 0xd8).find("image 'face': the JPEG has 101 scans, 100 are read"), std::string::npos);
+    EXPECT_EQ(scans(101, 0xd9).find("scans"), std::string::npos) << "behind the end";
 }
 
 TEST(JpegScans, ThatLeaveCoefficientsOutShowTheSameWhateverMemoryHeld)

@@ -4,6 +4,7 @@
 #endif
 
 #include "decoder_test.h"
+#include "lib/asset/meshopt.h"
 
 namespace claque::testing
 {
@@ -145,6 +146,7 @@ TEST(Meshopt, WhatTheDecoderTakesForGrantedIsRefusedBeforeItRuns)
     const auto has = [](const std::string &text, const char *word) { return text.find(word) != std::string::npos; };
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.position_view)["byteStride"] = 10; }), "byteStride is 10"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.position_view)["count"] = 401; }), "unpacks to 4812"));
+    EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.position_view)["count"] = 399; }), "unpacks to 4788"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.position_view)["filter"] = "QUATERNION"; }), "QUATERNION"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.position_view)["mode"] = "LINES"; }), "LINES"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.index_view)["byteStride"] = 12; }), "byteStride is 12"));
@@ -152,6 +154,37 @@ TEST(Meshopt, WhatTheDecoderTakesForGrantedIsRefusedBeforeItRuns)
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.index_view)["byteLength"] = 1 << 20; }), "ends at byte"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.index_view)["buffer"] = 7; }), "7"));
     EXPECT_TRUE(has(refusal([](Packed &p) { p.extension(p.index_view)["byteLength"] = 20; }), "20 packed bytes"));
+}
+
+// Each stride, count and filter of each mode: refused, or left to the decoder.
+TEST(Meshopt, LayoutsAreThoseOfTheirModes)
+{
+    const auto fault = [](const char *mode, const char *filter, uint64_t stride, uint64_t count) -> std::string {
+        const Json json = {{"buffer", 0},    {"byteLength", 8}, {"byteStride", stride},
+                           {"count", count}, {"mode", mode},    {"filter", filter}};
+        const Outcome found =
+            outcome_of([&] { asset::read_meshopt_view(asset::JsonView(&json, "view"), 1, stride * count); });
+        EXPECT_EQ(found.text.empty(), found.status == 0);
+        for (const char *word : {"byteStride", "count", "filter"})
+            if (found.text.find(std::string("view.") + word) == 0) return word;
+        return found.text;
+    };
+    for (uint64_t stride = 1; stride <= 256; ++stride) {
+        EXPECT_EQ(fault("ATTRIBUTES", "NONE", stride, 5), stride % 4 == 0 ? "" : "byteStride") << stride;
+        for (const char *mode : {"TRIANGLES", "INDICES"})
+            EXPECT_EQ(fault(mode, "NONE", stride, 6), stride == 2 || stride == 4 ? "" : "byteStride") << stride;
+        if (stride % 4 != 0) continue;
+        EXPECT_EQ(fault("ATTRIBUTES", "OCTAHEDRAL", stride, 5), stride == 4 || stride == 8 ? "" : "filter") << stride;
+        EXPECT_EQ(fault("ATTRIBUTES", "QUATERNION", stride, 5), stride == 8 ? "" : "filter") << stride;
+        EXPECT_EQ(fault("ATTRIBUTES", "EXPONENTIAL", stride, 5), "") << stride;
+    }
+    for (const uint64_t count : {1, 2, 3, 4, 5, 6}) {
+        EXPECT_EQ(fault("TRIANGLES", "NONE", 4, count), count % 3 == 0 ? "" : "count") << count;
+        EXPECT_EQ(fault("INDICES", "NONE", 4, count), "") << count;
+    }
+    for (const char *mode : {"TRIANGLES", "INDICES"})
+        for (const char *filter : {"OCTAHEDRAL", "EXPONENTIAL"})
+            EXPECT_EQ(fault(mode, filter, 4, 6), "filter") << mode << filter;
 }
 
 TEST(Meshopt, SaysHowMuchItWouldUnpackBeforeItDoes)
