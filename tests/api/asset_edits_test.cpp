@@ -196,16 +196,23 @@ TEST_F(AssetEdits, ZonesWithARangeThatLeavesItsScaleAreRefused)
     def.width_px = def.height_px = 1, def.texels = &texel, def.zones = &zone, def.zone_count = 1;
     for (float *member : {&range.hue_min_deg, &range.hue_max_deg, &range.saturation_min, &range.saturation_max,
                           &range.brightness_min, &range.brightness_max}) {
-        const float kept = *member, above = member < &range.saturation_min ? 360.5f : 1.01f;
-        for (const float value : {-0.01f, above, NAN}) {
+        const float kept = *member, last = member < &range.saturation_min ? 360 : 1;
+        for (const float value : {-1e-6f, std::nextafter(last, 999.0f), NAN}) {
             *member = value;
             told(clq_asset_set_zone_map(context_, asset_, &def),
                  "zone 'skin' has a range that leaves [0, 360] degrees or [0, 1]");
         }
         *member = kept;
     }
-    EXPECT_EQ(clq_asset_set_zone_map(context_, asset_, &def), CLQ_OK) << clq_last_error();
-    EXPECT_STREQ(clq_asset_get_zone_name(asset_, 0), "skin");
+    const clq_hsb_range bounds[] = {range, {360, 360, 1, 1, 1, 1}, {0, 0, 0, 0, 0, 0}};
+    for (const clq_hsb_range &taken : bounds) {
+        range = taken;
+        clq_asset *asset = nullptr;
+        ASSERT_EQ(clq_asset_builtin(context_, "citizen", &asset), CLQ_OK);
+        EXPECT_EQ(clq_asset_set_zone_map(context_, asset, &def), CLQ_OK) << clq_last_error();
+        EXPECT_STREQ(clq_asset_get_zone_name(asset, 0), "skin");
+        clq_asset_destroy(asset);
+    }
 }
 
 TEST_F(AssetEdits, ProposalsNeedRoomForEachTexel)

@@ -212,9 +212,9 @@ TEST_F(DefinitionLimits, OfPlaysAtRandomAreNamed)
     play("the weights of all 2 clips are 0", weighted);
     play("clips is NULL, or clip_count is 0", [](clq_random_play_def &def) { def.clip_count = 0; });
     play("clips is NULL, or clip_count is 0", [](clq_random_play_def &def) { def.clips = nullptr; });
-    for (const float spread : {-0.1f, 1.0f, NAN})
+    for (const float spread : {-1e-6f, 1.0f, NAN})
         play("0 to less than 1 is wanted", [spread](clq_random_play_def &def) { def.speed_spread = spread; });
-    for (const float spread : {-0.1f, 1.1f, NAN})
+    for (const float spread : {-1e-6f, std::nextafter(1.0f, 2.0f), NAN})
         play("0 to 1 is wanted", [spread](clq_random_play_def &def) { def.phase_spread = spread; });
     for (const double bad : {NAN, INFINITY}) {
         double motion[3] = {7, 7, 7};

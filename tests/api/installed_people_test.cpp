@@ -224,6 +224,8 @@ TEST_F(InstalledPeople, AreNotReadThroughLinks)
     if (geteuid() != 0) GTEST_SKIP() << "only root can make a link of another user";
     ASSERT_EQ(lchown(people_.c_str(), 12345, 12345), 0);
     expect_passed_over("folder", people_, "is a link that user 12345 made");
+    ASSERT_EQ(chown(library_.c_str(), 12345, 12345), 0);
+    expect_taken("a link of the library's owner");
 }
 
 TEST_F(InstalledPeople, ArePassedOverIfTheyAreDamaged)

@@ -161,11 +161,16 @@ TEST_F(Placement, ThatCannotBeIsRefusedWithTheRemedy)
         return said_;
     };
     EXPECT_NE(said(NAN, 0, 0).find("turn_deg is nan: any finite angle is wanted"), std::string::npos) << said_;
+    EXPECT_NE(said(HUGE_VAL, 0, 0).find("turn_deg is inf: any finite angle is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, -1, 0).find("height_m is -1: more than 0 is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, HUGE_VAL, 0).find("height_m is inf: more than 0"), std::string::npos) << said_;
+    EXPECT_NE(said(0, NAN, 0).find("height_m is nan: more than 0"), std::string::npos) << said_;
     EXPECT_NE(said(0, 1e9, 0).find("height_m (--height) is 1e+09, "), std::string::npos) << said_;
     EXPECT_NE(said(0, 0, -2).find("scale is -2: 1e-06 to 1e+06 is wanted"), std::string::npos) << said_;
-    EXPECT_NE(said(0, 0, 1e7).find("scale is 1e+07: "), std::string::npos) << said_;
+    EXPECT_NE(said(0, 0, NAN).find("scale is nan: "), std::string::npos) << said_;
+    for (const double scale : {1 / 1e6, 1e6}) EXPECT_TRUE(load(figure, options_of(0, scale))) << said_;
+    for (const double beyond : {std::nextafter(1 / 1e6, 0.0), std::nextafter(1e6, 1e9)})
+        EXPECT_NE(said(0, 0, beyond).find(": 1e-06 to 1e+06 is wanted"), std::string::npos) << said_;
     EXPECT_NE(said(0, 1.8, 2).find("height_m is 1.8 and scale is 2: each gives the size"), std::string::npos) << said_;
     clq_asset_options tall = clq_asset_options_init();
     tall.height_m = 2;

@@ -1,4 +1,5 @@
 // The folder of prepared templates: of its user alone, and nothing that another user has planted is read or followed.
+#include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -102,6 +103,32 @@ TEST_F(Prepare, UsesNoFolderBehindALinkOfAnotherUserAndSaysHowToRepairIt)
         const std::string text = report.text;
         EXPECT_NE(text.find("link that user 12345 made"), std::string::npos) << name << ": " << text;
         EXPECT_NE(text.find("remove it, or name another folder"), std::string::npos) << name << ": " << text;
+    }
+    fs::remove(link);
+}
+
+TEST_F(Prepare, FollowsLinksOfItsUserAndOfRoot)
+{
+    if (geteuid() != 0) GTEST_SKIP() << "only root can become another user";
+    constexpr uid_t user = 12345;
+    clq_prepare_report report = clq_prepare_report_init();
+    const Bytes fresh = made(owl(), report);
+    ASSERT_EQ(files().size(), 1u);
+    for (const fs::path &path : {files()[0], folder_}) ASSERT_EQ(chown(path.c_str(), user, user), 0);
+    const std::string link = folder_.string() + "_link";
+    fs::remove(link);
+    fs::create_symlink(folder_, link);
+    clq_prepare_def def = owl();
+    def.folder = link.c_str();
+    for (const uid_t owner : {uid_t(0), user}) {
+        ASSERT_EQ(lchown(link.c_str(), owner, owner), 0);
+        ASSERT_EQ(seteuid(user), 0);
+        const bool is_reachable = faccessat(AT_FDCWD, link.c_str(), R_OK, AT_EACCESS) == 0;
+        const Bytes found = made(def, report);
+        ASSERT_EQ(seteuid(0), 0);
+        if (!is_reachable) GTEST_SKIP() << "other users may not enter " << testing::TempDir();
+        EXPECT_EQ(found, fresh);
+        EXPECT_TRUE(report.from_disk) << owner << ": " << report.text;
     }
     fs::remove(link);
 }

@@ -176,6 +176,8 @@ TEST_F(Save, TemplatesAreFoundByNameAndStructure)
     EXPECT_STREQ(says("templates 0 and 1 are the same"), "");
     EXPECT_EQ(with({test_world_.templates[0], nullptr}), CLQ_ARGUMENT);
     EXPECT_STREQ(says("template 1 is NULL"), "");
+    EXPECT_EQ(clq_crowd_restore(crowd_, bytes.data(), bytes.size(), nullptr, 2), CLQ_ARGUMENT);
+    EXPECT_STREQ(says("templates is NULL with a count of 2"), "");
     test_world_.dofs[TestWorld::turn].max = 0.9f;
     clq_template *changed = nullptr, *foreign = nullptr, *same = nullptr;
     ASSERT_EQ(clq_template_build(test_world_.context, &test_world_.with_dofs.def, &changed), CLQ_OK);
