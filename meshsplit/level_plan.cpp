@@ -94,7 +94,7 @@ private:
                  "to %g m: the part must end where the node stops",
                  model_.name.c_str(), part.name.c_str(), name(node), double(stop), with_whom(node).c_str(),
                  double(part.lod_min_m), double(part.lod_max_m));
-        if (part.lod_max_m == stop && std::isfinite(stop) && something_from(stop) && !is_taken_over(stop))
+        if (part.lod_max_m == stop && something_from(stop) && !is_taken_over(stop))
             fail(CLQ_ARGUMENT,
                  "model '%s': part '%s' ends at %g m where node '%s' stops%s, and no part on an active node "
                  "begins at %g m: a part that takes over is missing",

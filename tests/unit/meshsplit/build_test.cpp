@@ -3,10 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/base/error.h"
+#include "articulated.h"
 #include "lib/model/template_check.h"
 #include "lib/model/template_file.h"
-#include "models.h"
 
 namespace claque::test
 {
@@ -165,6 +164,37 @@ TEST(Build, RefusesPosesThatNoSphereHolds)
         EXPECT_EQ(error.status(), CLQ_ARGUMENT);
         EXPECT_NE(std::string(error.what()).find("has to be finite"), std::string::npos) << error.what();
     }
+}
+
+// What a vertex can name and how often, and the parts of which it is asked.
+TEST(Build, HasLimitsOfJointsAndOfInfluences)
+{
+    const auto joints = [](size_t count) {
+        Puppet m;
+        m.skin({m.root, m.arm}, "body");
+        while (m.rig.palette.size() < count) add_entry(m, m.root);
+        return m;
+    };
+    EXPECT_EQ(refused(joints(65536)), "");
+    EXPECT_EQ(refused(joints(65537), CLQ_LIMIT), "model 'puppet' has 65537 joints: a template can have 65536");
+    // Of a level whose vertices move to a node above, by a joint of their own.
+    Puppet stops = joints(65536);
+    stops.stop(stops.arm, 20);
+    EXPECT_EQ(refused(stops, CLQ_LIMIT), "model 'puppet' has 65537 joints: a template can have 65536");
+
+    const auto influences = [](uint32_t count, bool hidden) {
+        Puppet m;
+        m.hang(m.root, "body");
+        model::Part &part = m.hang(m.spine, "scarf");
+        part.influence_count = count, part.hidden = hidden;
+        part.joints.assign(part.positions.size() * count, 0);
+        part.weights.assign(part.positions.size() * count, 0);
+        for (size_t i = 0; i < part.weights.size(); i += count) part.weights[i] = 1;
+        return refused(m);
+    };
+    EXPECT_EQ(influences(64, false), "");
+    EXPECT_EQ(influences(65, false), "part 1 'scarf' has 65 influences a vertex: at most 64");
+    EXPECT_EQ(influences(65, true), "");
 }
 
 }  // namespace claque::test

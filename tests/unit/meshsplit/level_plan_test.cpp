@@ -259,4 +259,17 @@ TEST(Levels, SkinnedVerticesOnARootThatStopsAreRefused)
     EXPECT_EQ(refused(m), "");
 }
 
+TEST(Levels, SkinnedVerticesMayNameAStoppedRootWithoutWeight)
+{
+    Puppet m;
+    const uint32_t prop = add_node(m, model::none, "prop", {0, 0, 0});
+    model::Part &part = m.skin({m.spine, m.arm}, "body");
+    ASSERT_EQ(part.weights[1], 0);
+    part.joints[1] = add_entry(m, prop);
+    m.stop(prop, 40);
+    EXPECT_EQ(refused(m), "");
+    part.weights[0] = 0.75f, part.weights[1] = 0.25f;
+    EXPECT_TRUE(says(refused(m), {"'body' is drawn to inf m and follows node 'prop'", "stops at 40 m"}));
+}
+
 }  // namespace claque::test
