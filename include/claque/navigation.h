@@ -144,7 +144,7 @@ typedef struct clq_walkers_def {
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
     /* [0, 5] seconds that a walker keeps to the one ahead: its speed is at most the gap between the bodies, 0.3 s
-     * later, divided by this. 0: it walks at full speed until it would touch. Default 1.1 (docs/navigation.md) */
+     * later, divided by this; what a gap has beyond 0.7 m is divided by 0.5 s. 0: none. Default 1.2 */
     float time_gap_s;
     /* As in clq_track_def: where feet stand on stairs that the navigation has as ramps. Called by clq_walkers_step or
      * clq_stage_step, on the calling thread; the same after a restore. NULL (default): on the navigation's ground */
@@ -164,7 +164,7 @@ static inline clq_walkers_def clq_walkers_def_init(void)
     def.piece_ticks = 10;
     def.plans = 32;
     def.smooth_s = 0.6f;
-    def.time_gap_s = 1.1f;
+    def.time_gap_s = 1.2f;
     def.climbing = 0.455f, def.descending = 0.518f;
     return def;
 }

@@ -14,7 +14,7 @@ namespace
 constexpr double stop_m_s = 0.10, start_m_s = 0.25;  // with hysteresis, or people would start at every sway
 // Farther than this a person takes a step. Points that are smoothed less sway less, and people of a dense crowd are to
 // stay where they are.
-constexpr double max_drift_m = 0.25, min_drift_m = 0.08, drift_m_s = 0.4;
+constexpr double max_drift_m = 0.2, min_drift_m = 0.05, drift_m_s = 0.33;
 constexpr uint32_t step_samples = 50;  // for which there is a second
 constexpr uint32_t bend_samples = 75;  // 1.5 s in which the path returns to its own place
 constexpr uint32_t speed_half = 12;    // half a second

@@ -101,7 +101,8 @@ void Walkers::walk_body(Archive &archive, uint32_t i, const std::vector<const cl
     number_of_enum(archive, body.state, CLQ_WALKER_BLOCKED);
     floats(archive, body.goal.data(), 3), floats(archive, body.end.data(), 3), floats(archive, body.aim, 2);
     numbers(archive, body.goal_ref, body.near_m, body.own_speed, body.speed, body.complete, body.cut, body.slope,
-            body.wide_m, body.heading_rad, body.scale, body.seed, body.piece_end_s, body.border);
+            body.wide_m, body.shoulders, body.held_up_s, body.heading_rad, body.scale, body.seed, body.piece_end_s,
+            body.border);
     number_of_enum(archive, body.pull, Body::Pull::from);
     numbers(archive, body.beside[0], body.beside[1], body.beside[2], body.pull_s);
     auto number =
@@ -142,7 +143,8 @@ void Walkers::check_saved(uint32_t i) const
     bool good = a.params.radius >= 0.05f && a.params.radius <= def_.max_radius_m && body.speed > 0 && body.speed <= 8 &&
                 a.params.maxAcceleration > 0 && a.params.maxAcceleration <= 50 &&
                 a.params.queryFilterType <= last_filter && body.near_m > 0 && body.scale > 0 &&
-                std::fabs(body.slope) < 1000 && body.wide_m >= 0 && body.wide_m <= widest_m;
+                std::fabs(body.slope) < 1000 && body.wide_m >= 0 && body.wide_m <= widest_m &&
+                body.shoulders >= turned_shoulders && body.shoulders <= 1 && body.held_up_s >= 0;
     const bool no_way = a.targetState == DT_CROWDAGENT_TARGET_NONE || a.targetState == DT_CROWDAGENT_TARGET_VELOCITY;
     good = good && (no_way || a.targetState == DT_CROWDAGENT_TARGET_VALID);
     good = good && (no_way || mesh_.nav->isValidPolyRef(a.targetRef));

@@ -62,6 +62,7 @@ void Walkers::step()
     each([&](uint32_t i) { steer(i); });
     give_way();
     each([&](uint32_t i) { move(i); });
+    each([&](uint32_t i) { turn_shoulders(i); });
     ++ticks_;
     each([&](uint32_t i) { look_round(i), record(i); });
     all_published_ = false;

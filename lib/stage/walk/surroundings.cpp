@@ -74,7 +74,7 @@ Near Walkers::near_of(uint32_t i, uint32_t k) const
     Near near;
     near.index = k;
     near.at = {other.npos[0] - a.npos[0], other.npos[2] - a.npos[2]}, near.velocity = {other.vel[0], other.vel[2]};
-    near.distance = length_of(near.at), near.bodies = a.params.radius + other.params.radius;
+    near.distance = length_of(near.at), near.bodies = breadth(i) + breadth(k);
     near.stays = stays(k);
     near.share = near.stays ? 1 : 0.5f;
     return near;
@@ -86,7 +86,7 @@ void Walkers::see_bodies(uint32_t i)
     dtCrowdAgent &a = agent(i);
     around.near_count = 0, around.meets = false;
     const float far = sight();
-    around.unseen_gap = far - a.params.radius - def_.max_radius_m;
+    around.unseen_gap = far - breadth(i) - def_.max_radius_m;
     scratch_.cells.each(a.npos[0], a.npos[2], far, [&](const Cells::Place &place) {
         const float x = place.x - a.npos[0], z = place.z - a.npos[2];
         if (place.index == i || x * x + z * z > far * far) return;

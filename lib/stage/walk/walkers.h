@@ -21,8 +21,9 @@ struct FreeTrack {
 };
 using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 
-constexpr float still_m_s = 0.05f;      // a walker that is slower stands
-constexpr double min_piece_s = 0.0999;  // a little less than claque/track.h wants
+constexpr float still_m_s = 0.05f;         // a walker that is slower stands
+constexpr float turned_shoulders = 0.85f;  // share of its radius that a walker takes with its shoulders turned
+constexpr double min_piece_s = 0.0999;     // a little less than claque/track.h wants
 
 // Filters of the crowd's agents.
 constexpr unsigned char open_filter = 0, everything_filter = 1, any_byway_filter = 2, byway_filter = 3;
@@ -42,6 +43,8 @@ struct Body {
     bool cut = false;                               // it has as many polygons as a way can have, and goes on
     float slope = 0;                                // of the ground that it went over last; positive: up
     float wide_m = 0;                               // farther than usual round the corner before which it is held up
+    float shoulders = 1;                            // share of its radius that it takes
+    float held_up_s = 0;                            // since when oncoming walkers hold it up
     // Of its track.
     const clq_locomotion *locomotion = nullptr;
     float heading_rad = 0;  // at which it rests; NaN: any
@@ -124,6 +127,8 @@ private:
     void fill_cells();
     bool stays(uint32_t i) const;
     bool gives_way(uint32_t k, uint32_t i) const;
+    float breadth(uint32_t i) const;
+    void turn_shoulders(uint32_t i);
     Near near_of(uint32_t i, uint32_t k) const;
     void see_bodies(uint32_t i);
     void see_walls(uint32_t i);

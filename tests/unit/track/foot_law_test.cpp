@@ -216,7 +216,7 @@ TEST_P(FootLaw, HoldsForTenCharacters)
         }
         std::printf("%s: %d people, path %.3f m, at most %.3f, %.3f m from its average\n", GetParam().path, people,
                     mean_m / people, max_m, from_average_m / people);
-        EXPECT_LE(from_average_m / people, 0.04) << character.name;
+        EXPECT_LE(from_average_m / people, 0.03) << character.name;
         const bool built_in = std::string(character.name).find('.') == std::string::npos;
         (built_in ? test::expect_law : test::expect_law_of_others)(character.name, contacts);
     }

@@ -67,6 +67,22 @@ TEST_F(Movement, HasTheSameFutureWhenItIsRestored)
     EXPECT_GT(future.size(), 200u);
 }
 
+TEST_F(Movement, ThatMeetsAnotherHasTheSameFutureWhenItIsRestored)
+{
+    for (int at = 60; at <= 160; at += 10) {  // two groups hold each other up in the opening, and turn their shoulders
+        const auto movement = make();
+        crowd(*movement);
+        for (uint32_t i = 12; i < 24; ++i) {
+            movement->add(i, walker(12.5 + 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4)), 0);
+            movement->go(i, goal(3 - 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4), i), 0);
+        }
+        run(*movement, 0, at);
+        const auto restored = restored_from(*movement);
+        const std::vector<std::string> future = run(*movement, at, at + 100);
+        EXPECT_EQ(run(*restored, at, at + 100), future) << at;
+    }
+}
+
 TEST_F(Movement, AmongPillarsHasTheSameFutureWheneverItIsRestored)
 {
     floors::Floor floor = floors::two_rooms(true);

@@ -1,0 +1,38 @@
+// A walker that oncoming walkers hold up turns its shoulders: it takes less room, and both pass. It turns back once it
+// walks again and there is room for it.
+#include <algorithm>
+
+#include "lib/stage/walk/walkers.h"
+
+namespace claque::walk
+{
+
+namespace
+{
+
+// Chosen with the constants of steer.cpp, by counterflow of two people a square metre.
+constexpr float held_up_m_s = 0.15f, held_up_s = 0.6f, walks_again_m_s = 0.4f;
+
+}  // namespace
+
+float Walkers::breadth(uint32_t i) const { return agent(i).params.radius * bodies_[i].shoulders; }
+
+// One after the other: what one takes is gone for the next.
+void Walkers::turn_shoulders(uint32_t i)
+{
+    Body &body = bodies_[i];
+    const dtCrowdAgent &a = agent(i);
+    const float speed = length_of(a.vel[0], a.vel[2]);
+    const bool held_up = scratch_.wishes[i].speed > 0 && speed < held_up_m_s && scratch_.around[i].meets;
+    body.held_up_s = held_up ? std::min(body.held_up_s + static_cast<float>(def_.tick_s), held_up_s) : 0;
+    if (body.held_up_s >= held_up_s) body.shoulders = turned_shoulders;
+    if (!(body.shoulders < 1) || speed < walks_again_m_s) return;
+    for (const Near &near : scratch_.around[i]) {
+        const dtCrowdAgent &other = agent(near.index);
+        const float distance = length_of(other.npos[0] - a.npos[0], other.npos[2] - a.npos[2]);
+        if (distance < a.params.radius + breadth(near.index)) return;
+    }
+    body.shoulders = 1;
+}
+
+}  // namespace claque::walk
