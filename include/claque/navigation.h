@@ -189,11 +189,11 @@ typedef struct clq_walker_def {
     const clq_locomotion *locomotion; /* of its template, held by the host; NULL (default): it publishes no pieces */
     double position[3];               /* within 2 m of the ground, to which it is moved */
     float heading_rad;                /* as in clq_track_point */
-    float radius_m;                   /* [0.05, max_radius_m] of its body. Default 0.2 */
-    float speed_m_s;                  /* (0, 8] that it likes. Default 1.34 */
-    float acceleration_m_s2;          /* [0.1, 50] default 4 */
-    float scale;                      /* (> 0) of its actor, as in clq_transform. Default 1 */
-    uint64_t seed;                    /* of its tracks */
+    float radius_m;  /* [0.05, max_radius_m] of its body; it takes 0.85 of it with shoulders turned. Default 0.2 */
+    float speed_m_s; /* (0, 8] that it likes. Default 1.34 */
+    float acceleration_m_s2; /* [0.1, 50] default 4 */
+    float scale;             /* (> 0) of its actor, as in clq_transform. Default 1 */
+    uint64_t seed;           /* of its tracks */
 } clq_walker_def;
 
 static inline clq_walker_def clq_walker_def_init(void)
