@@ -122,7 +122,7 @@ test-threads: setup
 test-bits: setup
 	@tests/bits/compilers.sh $(JOBS) $(COMPILERS)
 
-# The rows of docs/navigation.md. Counterflow misses its row with some seeds.
+# The rows of docs/navigation.md. One of five seeds misses those of the narrowest door and of stops in counterflow.
 test-queues: build
 	CLAQUE_QUEUE_SEEDS=5 $(BUILD)/tests/unit/walk/queues_test
 
