@@ -7,8 +7,8 @@
 #include "lib/asset/gltf_dofs.h"
 #include "lib/asset/gltf_mesh.h"
 #include "lib/asset/gltf_skin.h"
-#include "lib/base/near_names.h"
 #include "lib/asset/vrm_bones.h"
+#include "lib/base/near_names.h"
 
 namespace claque::asset
 {

@@ -23,7 +23,7 @@ struct Figure {
     Layout layout;
     Zones zones;
     std::vector<ClipMaker> clips;
-    Fit fit = nullptr;  // what the figure changes in every pose of the clips; may be null
+    Fit fit = nullptr;          // what the figure changes in every pose of the clips; may be null
     Weigher weigher = nullptr;  // weights of the figure's own regions; may be null
 };
 

@@ -10,22 +10,23 @@
 namespace view
 {
 
-#define CLAQUE_VIEW_SDL(FUNCTION)                                                                                 \
-    FUNCTION(Init)                                                                                                \
-    FUNCTION(Quit)                                                                                                \
-    FUNCTION(GetError)                                                                                            \
-    FUNCTION(SetMainReady)                                                                                        \
-    FUNCTION(GetCurrentVideoDriver)                                                                               \
-    FUNCTION(CreateWindow)                                                                                        \
-    FUNCTION(DestroyWindow)                                                                                       \
-    FUNCTION(PollEvent)                                                                                           \
-    FUNCTION(SetWindowMinimumSize)                                                                                \
-    FUNCTION(GL_SetAttribute)                                                                                     \
-    FUNCTION(GL_CreateContext)                                                                                    \
-    FUNCTION(GL_DeleteContext)                                                                                    \
-    FUNCTION(GL_SwapWindow)                                                                                       \
-    FUNCTION(GL_SetSwapInterval) FUNCTION(GL_GetProcAddress) FUNCTION(GL_GetDrawableSize) FUNCTION(GetWindowSize) \
-        FUNCTION(GetModState) FUNCTION(StartTextInput) FUNCTION(free)
+#define CLAQUE_VIEW_SDL(FUNCTION)                                                                          \
+    FUNCTION(Init)                                                                                         \
+    FUNCTION(Quit)                                                                                         \
+    FUNCTION(GetError)                                                                                     \
+    FUNCTION(SetMainReady)                                                                                 \
+    FUNCTION(GetCurrentVideoDriver)                                                                        \
+    FUNCTION(CreateWindow)                                                                                 \
+    FUNCTION(DestroyWindow)                                                                                \
+    FUNCTION(PollEvent)                                                                                    \
+    FUNCTION(SetWindowMinimumSize)                                                                         \
+    FUNCTION(GL_SetAttribute)                                                                              \
+    FUNCTION(GL_CreateContext)                                                                             \
+    FUNCTION(GL_DeleteContext)                                                                             \
+    FUNCTION(GL_SwapWindow)                                                                                \
+    FUNCTION(GL_SetSwapInterval)                                                                           \
+    FUNCTION(GL_GetProcAddress) FUNCTION(GL_GetDrawableSize) FUNCTION(GetWindowSize) FUNCTION(GetModState) \
+        FUNCTION(StartTextInput) FUNCTION(free)
 
 struct Sdl {
 #define CLAQUE_VIEW_SDL_MEMBER(name) decltype(&SDL_##name) name = nullptr;

@@ -15,22 +15,23 @@ namespace watched_gl
 
 using namespace claque::passes;
 
-#define CALLS(X)                                                                                                   \
-    X(GetString)                                                                                                   \
-    X(GetIntegerv)                                                                                                 \
-    X(GetDoublev)                                                                                                  \
-    X(GetPointerv)                                                                                                 \
-    X(IsEnabled)                                                                                                   \
-    X(RenderMode)                                                                                                  \
-    X(EndList)                                                                                                     \
-    X(Flush)                                                                                                       \
-    X(Enable) X(Disable) X(AlphaFunc) X(DepthFunc) X(DepthMask) X(ColorMask) X(BlendFunc) X(PolygonOffset)         \
-        X(StencilFunc) X(StencilOp) X(StencilMask) X(ClearStencil) X(Clear) X(CullFace) X(FrontFace) X(ShadeModel) \
-            X(LightModeli) X(GetMaterialfv) X(Materialfv) X(ColorMaterial) X(TexEnvi) X(PushAttrib) X(PopAttrib)   \
-                X(PushClientAttrib) X(PopClientAttrib) X(MatrixMode) X(LoadIdentity) X(LoadMatrixf) X(LoadMatrixd) \
-                    X(MultMatrixf) X(PushMatrix) X(PopMatrix) X(GenTextures) X(DeleteTextures) X(BindTexture)      \
-                        X(TexImage2D) X(TexParameteri) X(GetTexLevelParameteriv) X(PixelStorei) X(PixelTransferf)  \
-                            X(EnableClientState) X(DisableClientState) X(VertexPointer) X(NormalPointer)           \
+#define CALLS(X)                                                                                                      \
+    X(GetString)                                                                                                      \
+    X(GetIntegerv)                                                                                                    \
+    X(GetDoublev)                                                                                                     \
+    X(GetPointerv)                                                                                                    \
+    X(IsEnabled)                                                                                                      \
+    X(RenderMode)                                                                                                     \
+    X(EndList)                                                                                                        \
+    X(Flush)                                                                                                          \
+    X(Enable)                                                                                                         \
+    X(Disable) X(AlphaFunc) X(DepthFunc) X(DepthMask) X(ColorMask) X(BlendFunc) X(PolygonOffset) X(StencilFunc)       \
+        X(StencilOp) X(StencilMask) X(ClearStencil) X(Clear) X(CullFace) X(FrontFace) X(ShadeModel) X(LightModeli)    \
+            X(GetMaterialfv) X(Materialfv) X(ColorMaterial) X(TexEnvi) X(PushAttrib) X(PopAttrib) X(PushClientAttrib) \
+                X(PopClientAttrib) X(MatrixMode) X(LoadIdentity) X(LoadMatrixf) X(LoadMatrixd) X(MultMatrixf)         \
+                    X(PushMatrix) X(PopMatrix) X(GenTextures) X(DeleteTextures) X(BindTexture) X(TexImage2D)          \
+                        X(TexParameteri) X(GetTexLevelParameteriv) X(PixelStorei) X(PixelTransferf)                   \
+                            X(EnableClientState) X(DisableClientState) X(VertexPointer) X(NormalPointer)              \
                                 X(TexCoordPointer) X(ColorPointer) X(DrawElements) X(Color4f)
 
 enum class Id {

@@ -3,7 +3,6 @@
 // them.
 #include "tests/parity/mutation.h"
 
-
 namespace parity
 {
 namespace

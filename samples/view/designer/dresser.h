@@ -43,7 +43,7 @@ private:
 
     std::vector<Person> people_;
     std::vector<std::pair<SharedClass, scenes::ColourMap>> maps_;  // of the last design's classes
-    std::vector<SharedClass> last_;  // of the design that they wear
+    std::vector<SharedClass> last_;                                // of the design that they wear
     bool dressed_ = false;
 };
 

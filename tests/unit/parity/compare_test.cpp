@@ -119,13 +119,11 @@ TEST_F(Comparing, ExactAndGpuFailWherePeopleVerticesNormalsIdsDepthOrColourAreAb
     const struct {
         const char *group;
         void (*forget)(Capture &);
-    } cases[] = {{"actors", [](Capture &c) { c.actors.reset(); }},
-                 {"positions", [](Capture &c) { c.positions.reset(); }},
-                 {"normals", [](Capture &c) { c.normals.reset(); }},
-                 {"actor_ids", [](Capture &c) { c.actor.reset(); }},
-                 {"zone_ids", [](Capture &c) { c.zone.reset(); }},
-                 {"depth", [](Capture &c) { c.depth.reset(); }},
-                 {"colour", [](Capture &c) { c.colour.reset(); }}};
+    } cases[] = {
+        {"actors", [](Capture &c) { c.actors.reset(); }},   {"positions", [](Capture &c) { c.positions.reset(); }},
+        {"normals", [](Capture &c) { c.normals.reset(); }}, {"actor_ids", [](Capture &c) { c.actor.reset(); }},
+        {"zone_ids", [](Capture &c) { c.zone.reset(); }},   {"depth", [](Capture &c) { c.depth.reset(); }},
+        {"colour", [](Capture &c) { c.colour.reset(); }}};
     const Capture whole = a;
     for (const auto &one : cases) {
         a = b = whole;
