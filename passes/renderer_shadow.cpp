@@ -12,6 +12,7 @@ namespace
 
 base::Status check_stencil(const Gl11 &gl, int32_t bit)
 {
+    if (bit < 0) return base::Status::good();
     int32_t bits = 0;
     gl.GetIntegerv(gl::stencil_bits, &bits);
     if (bit < bits) return base::Status::good();

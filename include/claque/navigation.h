@@ -144,7 +144,7 @@ typedef struct clq_walkers_def {
     uint32_t plans;        /* [1, 16000] ways that are found in a tick; further ones wait. Default 32 */
     float smooth_s;        /* [0, 2] as in clq_track_def. Default 0.6: walkers do not sway as measured heads do */
     /* [0, 5] seconds that a walker keeps to the one ahead: its speed is at most the gap between the bodies, 0.3 s
-     * later, divided by this; what a gap has beyond 0.7 m is divided by 0.5 s. 0: none. Default 1.2 */
+     * later, divided by this; its part beyond 0.7 m by 0.5 s. 0: full speed until it would touch. Default 1.2 */
     float time_gap_s;
     /* As in clq_track_def: where feet stand on stairs that the navigation has as ramps. Called by clq_walkers_step or
      * clq_stage_step, on the calling thread; the same after a restore. NULL (default): on the navigation's ground */
@@ -189,11 +189,11 @@ typedef struct clq_walker_def {
     const clq_locomotion *locomotion; /* of its template, held by the host; NULL (default): it publishes no pieces */
     double position[3];               /* within 2 m of the ground, to which it is moved */
     float heading_rad;                /* as in clq_track_point */
-    float radius_m;  /* [0.05, max_radius_m] of its body; it takes 0.85 of it with shoulders turned. Default 0.2 */
-    float speed_m_s; /* (0, 8] that it likes. Default 1.34 */
-    float acceleration_m_s2; /* [0.1, 50] default 4 */
-    float scale;             /* (> 0) of its actor, as in clq_transform. Default 1 */
-    uint64_t seed;           /* of its tracks */
+    float radius_m;                   /* [0.05, max_radius_m] of its body; 0.85 with turned shoulders. Default 0.2 */
+    float speed_m_s;                  /* (0, 8] that it likes. Default 1.34 */
+    float acceleration_m_s2;          /* [0.1, 50] default 4 */
+    float scale;                      /* (> 0) of its actor, as in clq_transform. Default 1 */
+    uint64_t seed;                    /* of its tracks */
 } clq_walker_def;
 
 static inline clq_walker_def clq_walker_def_init(void)

@@ -1,7 +1,6 @@
-// `call = "exit"`: the event "exit" comes back with the place of an exit. Without widths that is the exit with the
-// shortest way. With widths it is the exit through which the caller is out first: a person takes as long as its way, or
-// as the queue of the people who chose the same exit before it and have a shorter way. `call = "leave"`: the caller
-// leaves the run.
+// `call = "exit"`: the event "exit" comes back with the place of an exit. Without widths the exit with the shortest way
+// is chosen. With widths the time to leave decides: the longer of the way and of the queue, which is everybody with the
+// same choice and a shorter way. `call = "leave"`: the caller leaves the run.
 #include <algorithm>
 #include <cmath>
 
@@ -12,11 +11,10 @@ namespace staged
 namespace
 {
 
-constexpr double speed_m_s = 1.34;  // Weidmann 1993
-constexpr double people_per_s_m =
-    1.5;                          // through a door that is full: Queues.PassDoorsAsMeasuredAndNobodyTouchesAnother
-constexpr double worth_it = 0.6;  // of the time, for an exit other than the nearest, or later than the one before
-constexpr double closed_m = 1e6;  // an exit behind a closed door is the last choice
+constexpr double speed_m_s = 1.34;      // Weidmann 1993
+constexpr double people_per_s_m = 1.5;  // through a full door, as `claque bench doors` measures it
+constexpr double kept = 0.6;            // factor on the time by the nearest exit, later by the chosen one
+constexpr double closed_m = 1e6;        // an exit behind a closed door is the last choice
 
 class Exits final : public Service
 {
@@ -41,7 +39,7 @@ public:
             for (size_t k = 0; k < all.size(); ++k) {
                 const double queue_s = queue_before_s(run, call, all[k], people_per_s_m * agents.exit_widths_m[k]);
                 const double own_s = std::max(all[k].way_m / speed_m_s, queue_s);
-                const double cost_s = own_s * (all[k].exit == usual ? worth_it : 1);
+                const double cost_s = own_s * (all[k].exit == usual ? kept : 1);
                 if (cost_s < least_s) least_s = cost_s, best = all[k];
             }
         }
@@ -84,8 +82,8 @@ private:
         return way.length + (way.complete ? 0 : closed_m);
     }
 
-    // When the people who are nearer have passed: they pass from the arrival of the first of them on. Their ways have
-    // become shorter since they chose.
+    // The time until everybody nearer has passed the exit: the first arrives, and a full door lets the others through.
+    // Ways have become shorter since they were measured.
     double queue_before_s(const Run &run, const Call &call, const Choice &own, double people_per_s) const
     {
         double count = 0, first_m = own.way_m;

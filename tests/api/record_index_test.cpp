@@ -1,5 +1,5 @@
-// Each rule of a record's index, on both sides of its bound: an index that a record can have is opened, one that none
-// can have is refused with its fault. Only what is played is read, so that no block has to stand before it.
+// Each rule of a record's index, on both sides of its bound: a possible index is opened, an impossible one is refused
+// with its fault. Blocks are read when they are played, so the tests leave them out.
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -29,7 +29,7 @@ void add_entry(Bytes &to, Kind kind, const Bytes &fields)
     to.insert(to.end(), fields.begin(), fields.end());
 }
 
-// What an index is made of, and what the end says of its block.
+// The parts of an index, and the place of its block in the end.
 struct Forged {
     format::Index index{std::pmr::get_default_resource()};
     uint64_t at = 416;      // the place of the index: 26 headers of blocks, 32 steps

@@ -207,7 +207,7 @@ TEST_F(RecordsInParts, WithAChangedByteShowNothingElse)
     EXPECT_LT(unharmed, 20u) << "blocks after the last step";
 }
 
-// A part is read when it is played: what it names has to be there, as in a record that is read at once.
+// A part is read when it is played. The templates that it names have to be there, as in a record that is read at once.
 TEST_F(RecordsInParts, WithAStateOfATemplateThatIsNotThereAreRefusedWhereTheyArePlayed)
 {
     Bytes bytes = run_.bytes;

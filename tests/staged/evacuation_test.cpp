@@ -96,9 +96,9 @@ TEST(Evacuation, AsManyGoThroughAFullDoorAsThroughAnyOther)
             continue;
         }
         EXPECT_LT(flow, 1.9) << door.name;
-        EXPECT_LT(own.most, 1.9 * 1.3) << door.name;  // the first hurry through before a queue waits
+        EXPECT_LT(own.most, 1.9 * 1.3) << door.name;  // for some seconds; 2.3 of people who like 1.3 to 1.9 m/s
         EXPECT_LT(own.longest_pause_s, 3) << door.name;
-        EXPECT_GT(flow, 0.9) << door.name;
+        EXPECT_GT(flow, 1.1) << door.name;
     }
     EXPECT_EQ(world.run().counts().left, 300u);
 }

@@ -66,7 +66,7 @@ TEST(Exits, WiderOneIsTakenByMore)
     EXPECT_GT(wider.east, equal.east + people / 20);
 }
 
-// A saved run knows who chose which exit.
+// A saved run keeps the choices.
 TEST(Exits, AreChosenAlikeInARunThatIsRestored)
 {
     const Scenario scenario = room("exit_widths_m = [1.0, 1.0]\n");

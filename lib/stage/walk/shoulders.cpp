@@ -1,5 +1,5 @@
-// A walker that oncoming walkers hold up turns its shoulders: it takes less room, and both pass. It turns back once it
-// walks again and there is room for it.
+// A walker that oncoming walkers hold up turns its shoulders: it takes less room, and both pass. It turns back when it
+// walks or rests, and has room.
 #include <algorithm>
 
 #include "lib/stage/walk/walkers.h"
@@ -23,10 +23,11 @@ void Walkers::turn_shoulders(uint32_t i)
     Body &body = bodies_[i];
     const dtCrowdAgent &a = agent(i);
     const float speed = length_of(a.vel[0], a.vel[2]);
-    const bool held_up = scratch_.wishes[i].speed > 0 && speed < held_up_m_s && scratch_.around[i].meets;
+    const bool goes = scratch_.wishes[i].speed > 0;
+    const bool held_up = goes && speed < held_up_m_s && scratch_.around[i].meets;
     body.held_up_s = held_up ? std::min(body.held_up_s + static_cast<float>(def_.tick_s), held_up_s) : 0;
     if (body.held_up_s >= held_up_s) body.shoulders = turned_shoulders;
-    if (!(body.shoulders < 1) || speed < walks_again_m_s) return;
+    if (!(body.shoulders < 1) || (goes && speed < walks_again_m_s)) return;
     for (const Near &near : scratch_.around[i]) {
         const dtCrowdAgent &other = agent(near.index);
         const float distance = length_of(other.npos[0] - a.npos[0], other.npos[2] - a.npos[2]);

@@ -35,8 +35,8 @@ constexpr float press_m = 0.2f;  // a walker that gives way is no obstacle if it
 // A walker that stands starts at more than the speed at which one that walks stops: it does not tremble.
 constexpr float start_m_s = 0.18f, stop_m_s = 0.08f;
 constexpr float brisk_m_s = 1;  // a walker that is faster brakes before it goes round
-// With one time gap for all gaps the model is slower than people at 1 a square metre, and faster at 3 (Weidmann 1993):
-// what a gap has beyond this counts for more.
+// With one time gap for all gaps the model is slower than people at 1 a square metre, and faster at 3 (Weidmann 1993).
+// The part of a gap beyond long_gap_m is divided by long_gap_time_s.
 constexpr float long_gap_m = 0.7f, long_gap_time_s = 0.5f;
 
 // How far a walker gets in a direction before it touches the other, if both go on.

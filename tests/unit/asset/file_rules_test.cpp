@@ -22,7 +22,7 @@ Maker triangle()
     return maker;
 }
 
-// The triangle with something changed: what is said of it.
+// The refusal of a triangle with a change.
 using Change = std::function<void(Maker &)>;
 Outcome of(const Change &change)
 {

@@ -166,7 +166,7 @@ TEST(Build, RefusesPosesThatNoSphereHolds)
     }
 }
 
-// What a vertex can name and how often, and the parts of which it is asked.
+// Limits of the joints and influences of a vertex, by part.
 TEST(Build, HasLimitsOfJointsAndOfInfluences)
 {
     const auto joints = [](size_t count) {
@@ -177,7 +177,7 @@ TEST(Build, HasLimitsOfJointsAndOfInfluences)
     };
     EXPECT_EQ(refused(joints(65536)), "");
     EXPECT_EQ(refused(joints(65537), CLQ_LIMIT), "model 'puppet' has 65537 joints: a template can have 65536");
-    // Of a level whose vertices move to a node above, by a joint of their own.
+    // A level moves vertices to a node above, by a joint of their own.
     Puppet stops = joints(65536);
     stops.stop(stops.arm, 20);
     EXPECT_EQ(refused(stops, CLQ_LIMIT), "model 'puppet' has 65537 joints: a template can have 65536");

@@ -91,6 +91,15 @@ protected:
             movement.go(i, goal(15 - 0.8 * (i % 4), 1 + 1.2 * (i / 4), i), 0);
         }
     }
+    // The same, and as many who go the other way.
+    void crowds_that_meet(walk::Walking &movement) const
+    {
+        crowd(movement);
+        for (uint32_t i = 12; i < 24; ++i) {
+            movement.add(i, walker(12.5 + 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4)), 0);
+            movement.go(i, goal(3 - 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4), i), 0);
+        }
+    }
 
     clq_navigation *navigation_;
     clq_context *context_ = nullptr;

@@ -1,4 +1,5 @@
 // A saved movement has the same future, and bytes that are none are refused.
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -71,16 +72,51 @@ TEST_F(Movement, ThatMeetsAnotherHasTheSameFutureWhenItIsRestored)
 {
     for (int at = 60; at <= 160; at += 10) {  // two groups hold each other up in the opening, and turn their shoulders
         const auto movement = make();
-        crowd(*movement);
-        for (uint32_t i = 12; i < 24; ++i) {
-            movement->add(i, walker(12.5 + 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4)), 0);
-            movement->go(i, goal(3 - 0.8 * (i % 4), 1.3 + 1.2 * ((i - 12) / 4), i), 0);
-        }
+        crowds_that_meet(*movement);
         run(*movement, 0, at);
         const auto restored = restored_from(*movement);
         const std::vector<std::string> future = run(*movement, at, at + 100);
         EXPECT_EQ(run(*restored, at, at + 100), future) << at;
     }
+}
+
+TEST_F(Movement, TurnsShouldersWhereTwoMeetAndBackAtRest)
+{
+    const auto movement = make();
+    for (uint32_t i = 0; i < 40; ++i) {  // in one room
+        const bool back = i % 2 != 0;
+        const double x = 0.5 + 0.6 * ((i / 2) % 3), z = 0.5 + 0.75 * (i / 6);
+        movement->add(i, walker(back ? 7.5 - x : x, z), 0);
+        movement->go(i, goal(back ? x : 7.5 - x, z, i), 0);
+    }
+    const auto turned = [&] {
+        std::vector<uint8_t> bytes;
+        movement->save(bytes);
+        const double share = double(walk::turned_shoulders);
+        const auto *first = reinterpret_cast<const uint8_t *>(&share);
+        size_t count = 0;
+        for (auto at = bytes.begin();; ++count, ++at) {
+            at = std::search(at, bytes.end(), first, first + sizeof share);
+            if (at == bytes.end()) return count;
+        }
+    };
+    size_t most = 0;
+    size_t arrived = 0;
+    for (int at = 0; at < 1200; at += 10) {
+        for (const std::string &one : run(*movement, at, at + 10)) arrived += one.rfind("arrival ", 0) == 0;
+        most = std::max(most, turned());
+    }
+    EXPECT_EQ(arrived, 40u);
+    EXPECT_GT(most, 0u);
+    EXPECT_EQ(turned(), 0u);
+    // Walkers that are stopped while they meet turn back where they have room.
+    for (uint32_t i = 0; i < 40; ++i) movement->go(i, goal(i % 2 ? 7 : 0.5, 0.5 + 0.75 * (i / 6), i), 60);
+    int at = 1200;
+    while (turned() < 2 && at < 1500) run(*movement, at, at + 1), ++at;
+    const size_t before = turned();
+    for (uint32_t i = 0; i < 40; ++i) movement->stop(i, 0.05 * at);
+    run(*movement, at, at + 100);
+    EXPECT_LT(turned(), before);
 }
 
 TEST_F(Movement, AmongPillarsHasTheSameFutureWheneverItIsRestored)
