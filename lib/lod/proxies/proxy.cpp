@@ -7,6 +7,7 @@
 #include "lib/lod/proxies/proxy_image.h"
 #include "lib/lod/surface/area_fractions.h"
 #include "lib/lod/surface/visibility.h"
+#include "lib/model/model_size.h"
 
 namespace claque::lod
 {
@@ -66,6 +67,22 @@ std::vector<const model::Part *> parts_of(const PosedParts &posed)
     return parts;
 }
 
+std::vector<Corners3> corners_of(const PosedParts &parts, const std::vector<uint32_t> &which)
+{
+    std::vector<Corners3> found;
+    found.reserve(which.size());
+    for (const uint32_t t : which) found.push_back(parts.corners(parts.triangles()[t]));
+    return found;
+}
+
+// Sets whose zone points take a quarter of what levels may take at most (docs/levels.md).
+size_t kept_sets(const model::Model &model, const PosedParts &fine)
+{
+    const uint64_t bytes =
+        (PointTree::bytes_of_point + sizeof(SurfacePoint)) * (fine.triangles().size() + uint64_t(surface_sample_count));
+    return size_t((64 * model::source_bytes(model) + (16ull << 20)) / 4 / bytes);
+}
+
 }  // namespace
 
 ProxySource::ProxySource(const model::Model &of, const std::vector<const model::Part *> &parts, const base::Jobs &jobs)
@@ -82,9 +99,16 @@ ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector
       views(of, parts_of(fine))
 {
     if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
-    area_fractions.resize(set_count());
-    jobs.try_each(static_cast<uint32_t>(set_count()),
-                  [&](uint32_t i) { area_fractions[i] = zone_area_fractions(model, fine, visibility, set(i)); });
+    for (uint32_t t = 0; t < visibility.size(); ++t)
+        if (visibility[t] > 0) visible_triangles.push_back(t);
+    const auto sets = static_cast<uint32_t>(set_count()),
+               kept = std::min(sets, static_cast<uint32_t>(kept_sets(model, fine)));
+    area_fractions.resize(sets), zone_points.resize(sets);
+    jobs.try_each(sets + kept + 1, [&](uint32_t i) {
+        if (i == 0) nearest_visible.emplace(corners_of(fine, visible_triangles));
+        else if (i <= kept) zone_points[i - 1] = zone_points_of(model, fine, set(i - 1));
+        else area_fractions[i - 1 - kept] = zone_area_fractions(model, fine, visibility, set(i - 1 - kept));
+    });
 }
 
 PosedParts ProxySource::at_rest(const model::Part &part) const { return posed_at_rest(model.rig, {&part}); }

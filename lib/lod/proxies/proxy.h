@@ -5,10 +5,13 @@
 // (atlas.h), whose texels show the nearest point of the source.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lib/base/services.h"
+#include "lib/lod/proxies/zone_points.h"
 #include "lib/lod/proxies/zone_views.h"
+#include "lib/lod/surface/nearest.h"
 #include "lib/lod/surface/surface_samples.h"
 #include "lib/model/model.h"
 
@@ -51,6 +54,10 @@ struct ProxySource {
     std::vector<std::vector<double>> area_fractions;  // [sets] per zone (area_fractions.h)
     std::vector<uint8_t> keys;                        // [zones] all different
     ZoneViews views;                                  // of `fine`, in all poses
+    std::vector<uint32_t> visible_triangles;          // of `fine`
+    std::optional<NearestPoint> nearest_visible;      // of these
+    // [sets] by zone, for as many sets as memory has room for; the others have none.
+    std::vector<std::vector<ZonePoints>> zone_points;
 };
 
 struct ProxyLevels {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-
-#include "lib/lod/surface/nearest.h"
 
 namespace claque::lod
 {
@@ -14,12 +11,6 @@ namespace
 {
 
 constexpr double tolerance = 0.01;  // of a zone's area fraction: half of the promised 2 points
-
-// The points that show one zone.
-struct ZonePoints {
-    std::vector<SurfacePoint> points;
-    std::unique_ptr<NearestPoint> nearest;
-};
 
 // A texel, and for each zone the nearest point that shows it, once it has been asked for.
 struct TexelDistances {
@@ -66,21 +57,16 @@ private:
 
     void find_points()
     {
-        zones_.resize(source_fractions_.size());
-        std::vector<std::vector<NearestPoint::Triangle>> points(source_fractions_.size());
-        for (const SurfaceSample &sample : sample_surface(source_.fine, surface_sample_count)) {
-            const size_t z = index(zone_at(source_.model, source_.fine, sample.point, source_.set(set_)));
-            const glm::dvec3 p = position_of(source_.fine, sample.point);
-            zones_[z].points.push_back(sample.point);
-            points[z].push_back({p, p, p});
+        zones_ = &source_.zone_points[set_];
+        if (zones_->empty()) {
+            own_zones_ = zone_points_of(source_.model, source_.fine, source_.set(set_));
+            zones_ = &own_zones_;
         }
-        for (size_t z = 0; z < zones_.size(); ++z)
-            if (!points[z].empty()) zones_[z].nearest = std::make_unique<NearestPoint>(std::move(points[z]));
         for (size_t i = 0; i < texels_.size(); ++i) {
             if (!(texels_[i].area > 0)) continue;
             TexelDistances row;
             row.texel = i;
-            row.point.assign(zones_.size(), 0), row.distance.assign(zones_.size(), TexelDistances::unknown);
+            row.point.assign(zones_->size(), 0), row.distance.assign(zones_->size(), TexelDistances::unknown);
             rows_.push_back(std::move(row));
         }
     }
@@ -89,9 +75,9 @@ private:
     {
         double &known = row.distance[z];
         if (known != TexelDistances::unknown) return known;
-        if (!zones_[z].nearest) return known = std::numeric_limits<double>::infinity();
-        const NearestPoint::Found found = zones_[z].nearest->to(texels_[row.texel].at);
-        row.point[z] = found.triangle;
+        if (!(*zones_)[z].nearest) return known = std::numeric_limits<double>::infinity();
+        const PointTree::Found found = (*zones_)[z].nearest->to(texels_[row.texel].at);
+        row.point[z] = found.point;
         return known = std::sqrt(found.distance_squared);
     }
 
@@ -129,7 +115,7 @@ private:
         area_fractions_[index(texel.zone)] -= texel.area;
         area_fractions_[to] += texel.area;
         texel.zone = zone(to);
-        texel.rgb = texel_at(source_.model, source_.fine, zones_[to].points[row.point[to]], source_.set(set_));
+        texel.rgb = texel_at(source_.model, source_.fine, (*zones_)[to].points[row.point[to]], source_.set(set_));
     }
 
     const ProxySource &source_;
@@ -137,11 +123,27 @@ private:
     std::vector<ProxyTexel> &texels_;
     const std::vector<double> &source_fractions_;
     std::vector<double> area_fractions_;
-    std::vector<ZonePoints> zones_;
+    std::vector<ZonePoints> own_zones_;  // where the source holds none
+    const std::vector<ZonePoints> *zones_ = nullptr;
     std::vector<TexelDistances> rows_;
 };
 
 }  // namespace
+
+std::vector<ZonePoints> zone_points_of(const model::Model &model, const PosedParts &fine, const model::TextureSet *set)
+{
+    const size_t count = model.zones.size() + 1;
+    std::vector<ZonePoints> zones(count);
+    std::vector<std::vector<glm::dvec3>> places(count);
+    for (const SurfaceSample &sample : sample_surface(fine, surface_sample_count)) {
+        const size_t z = std::min<size_t>(zone_at(model, fine, sample.point, set), count - 1);
+        zones[z].points.push_back(sample.point);
+        places[z].push_back(position_of(fine, sample.point));
+    }
+    for (size_t z = 0; z < count; ++z)
+        if (!places[z].empty()) zones[z].nearest.emplace(places[z]);
+    return zones;
+}
 
 void balance_zones(const ProxySource &source, size_t set, std::vector<ProxyTexel> &texels)
 {

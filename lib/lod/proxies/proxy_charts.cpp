@@ -44,7 +44,7 @@ LevelPoint level_point_at(const std::vector<PrecomputedTriangle> &flat, const Ch
     };
     if (try_triangle(guess)) return best;
     for (const uint32_t t : chart.triangles)
-        if (try_triangle(t)) break;
+        if (t != guess && try_triangle(t)) break;
     return best;
 }
 
@@ -59,10 +59,7 @@ class SourceSampler
 {
 public:
     SourceSampler(const ProxySource &source, const PosedParts &level, const Atlas &atlas)
-        : level_(level),
-          atlas_(atlas),
-          visible_triangles_(visible_triangles(source)),
-          nearest_(triangles_of(source.fine, visible_triangles_))
+        : source_(source), level_(level), atlas_(atlas)
     {
         glm::dvec3 min(std::numeric_limits<double>::infinity()), max = -min;
         for (const PosedParts::Triangle &t : level.triangles())
@@ -86,20 +83,6 @@ public:
     }
 
 private:
-    static std::vector<uint32_t> visible_triangles(const ProxySource &source)
-    {
-        std::vector<uint32_t> found;
-        for (uint32_t t = 0; t < source.visibility.size(); ++t)
-            if (source.visibility[t] > 0) found.push_back(t);
-        return found;
-    }
-    static std::vector<NearestPoint::Triangle> triangles_of(const PosedParts &parts, const std::vector<uint32_t> &which)
-    {
-        std::vector<NearestPoint::Triangle> found;
-        for (const uint32_t t : which) found.push_back(parts.corners(parts.triangles()[t]));
-        return found;
-    }
-
     // What the last sample of a chart found: mostly near to what the next one finds.
     struct Guess {
         uint32_t of_level, of_source;
@@ -117,18 +100,17 @@ private:
             const glm::dvec3 at = point_on(c, here.weights);
             // The query point is slightly outside: of two layers the outer one is visible.
             const NearestPoint::Found found =
-                nearest_.to(length > 0 ? at + normal * (offset_ / length) : at, guess.of_source);
+                source_.nearest_visible->to(length > 0 ? at + normal * (offset_ / length) : at, guess.of_source);
             guess.of_source = found.triangle;
-            texel.points[i] = {visible_triangles_[found.triangle], found.weights};
+            texel.points[i] = {source_.visible_triangles[found.triangle], found.weights};
             texel.middle += at / double(samples);
         }
         texel.used = true;
     }
 
+    const ProxySource &source_;
     const PosedParts &level_;
     const Atlas &atlas_;
-    std::vector<uint32_t> visible_triangles_;  // visible triangles of the source
-    NearestPoint nearest_;
     std::vector<PrecomputedTriangle> flat_;  // the triangles of the level in the atlas
     double offset_ = 0;
 };

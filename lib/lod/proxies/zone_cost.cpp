@@ -6,7 +6,7 @@
 
 #include <glm/common.hpp>
 
-#include "lib/lod/surface/nearest.h"
+#include "lib/lod/surface/point_tree.h"
 
 namespace claque::lod
 {
@@ -16,19 +16,19 @@ ZoneCost::ZoneCost(const model::Model &model, const PosedParts &source, const Po
                    const std::vector<double> &weights)
     : zones_(model.zones.size() + 1)
 {
-    std::vector<std::vector<NearestPoint::Triangle>> centres(zones_);
+    std::vector<std::vector<glm::dvec3>> centres(zones_);
     glm::dvec3 first(std::numeric_limits<double>::infinity()), last = -first;
     for (uint32_t t = 0; t < source.triangles().size(); ++t) {
         const glm::dvec3 third(1.0 / 3);
         const glm::dvec3 p = position_of(source, {t, third});
         first = glm::min(first, p), last = glm::max(last, p);
-        centres[std::min<size_t>(zone_at(model, source, {t, third}), zones_ - 1)].push_back({p, p, p});
+        centres[std::min<size_t>(zone_at(model, source, {t, third}), zones_ - 1)].push_back(p);
     }
     const double size = std::max({last.x - first.x, last.y - first.y, last.z - first.z, 1e-30});
-    std::vector<NearestPoint> nearest;
+    std::vector<PointTree> nearest;
     std::vector<uint32_t> known;
     for (uint32_t zone = 0; zone < zones_; ++zone)
-        if (!centres[zone].empty()) known.push_back(zone), nearest.emplace_back(std::move(centres[zone]));
+        if (!centres[zone].empty()) known.push_back(zone), nearest.emplace_back(centres[zone]);
     for (uint32_t t = 0; t < level.triangles().size(); ++t) {
         ZoneValues row(zones_, 4);
         double all = 0;

@@ -12,8 +12,20 @@ namespace claque::lod
 AabbTree::AabbTree(const std::vector<Corners3> &triangles) : order(triangles.size())
 {
     std::iota(order.begin(), order.end(), 0u);
+    boxes.reserve(std::max<size_t>(1, triangles.size()));  // a leaf has two at least, if there are two
     boxes.push_back({{}, {}, 0, static_cast<uint32_t>(order.size()), 0});
     for (uint32_t box = 0; box < boxes.size(); ++box) split(triangles, box);
+}
+
+AabbTree::Descendants AabbTree::below(const Box &box) const
+{
+    Descendants found;
+    for (const uint32_t child : {box.left, box.left + 1}) {
+        const uint32_t left = boxes[child].left;
+        if (!left) found.boxes[found.count++] = child;
+        else found.boxes[found.count++] = left, found.boxes[found.count++] = left + 1;
+    }
+    return found;
 }
 
 void AabbTree::split(const std::vector<Corners3> &triangles, uint32_t box)

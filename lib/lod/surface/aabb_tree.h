@@ -20,6 +20,13 @@ struct AabbTree {
         uint32_t begin = 0, end = 0;  // range of `order`
         uint32_t left = 0;            // the children are `left` and `left + 1`; 0: a leaf
     };
+    // Two levels below a box that is no leaf, or one where that is a leaf.
+    struct Descendants {
+        std::array<uint32_t, 4> boxes;
+        size_t count = 0;
+    };
+    Descendants below(const Box &box) const;
+
     std::vector<uint32_t> order;
     std::vector<Box> boxes;  // the root is first
 

@@ -93,6 +93,7 @@ NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : slots_(tria
 {
     AabbTree tree(triangles);
     order_ = std::move(tree.order);
+    triangles_.reserve(order_.size());
     for (const uint32_t t : order_) {
         slots_[t] = static_cast<uint32_t>(triangles_.size());
         triangles_.emplace_back(triangles[t]);
@@ -100,6 +101,7 @@ NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : slots_(tria
     centre_ = 0.5 * (tree.boxes[0].min + tree.boxes[0].max);
     const glm::dvec3 half = tree.boxes[0].max - centre_;
     scale_ = 1 / std::max({half.x, half.y, half.z, 1e-150});
+    leaves_.reserve((tree.boxes.size() + 1) / 2), nodes_.reserve(tree.boxes.size() / 2);
     root_ = add(tree, 0);
 }
 
@@ -110,18 +112,13 @@ uint32_t NearestPoint::add(const AabbTree &tree, uint32_t box)
         leaves_.push_back({{&triangles_[from.begin], from.end - from.begin, centre_, scale_}, from.begin, from.end});
         return static_cast<uint32_t>(leaves_.size() - 1) | leaf_bit;
     }
-    std::vector<uint32_t> children;
-    for (const uint32_t child : {from.left, from.left + 1}) {
-        const uint32_t left = tree.boxes[child].left;
-        if (!left) children.push_back(child);
-        else children.push_back(left), children.push_back(left + 1);
-    }
+    const auto [children, count] = tree.below(from);
     const size_t at = nodes_.size();
     nodes_.emplace_back();
     for (size_t i = 0; i < 4; ++i) {
-        const AabbTree::Box &of = tree.boxes[children[std::min(i, children.size() - 1)]];
+        const AabbTree::Box &of = tree.boxes[children[std::min(i, count - 1)]];
         set(nodes_[at].min, i, scale_ * (of.min - centre_)), set(nodes_[at].max, i, scale_ * (of.max - centre_));
-        const uint32_t child = i < children.size() ? add(tree, children[i]) : none;
+        const uint32_t child = i < count ? add(tree, children[i]) : none;
         nodes_[at].child[i] = child;
     }
     return static_cast<uint32_t>(at);
@@ -147,7 +144,8 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
         const double reach = (1 + 1e-5) * scale_ * std::sqrt(square) + error;
         limit = static_cast<float>(std::min(reach * reach * (1 + 1e-6), 3e38));
     };
-    if (guess < slots_.size()) try_triangle(slots_[guess]);
+    const uint32_t tried = guess < slots_.size() ? slots_[guess] : none;
+    if (tried != none) try_triangle(tried);
     struct Open {
         uint32_t node;
         float square;
@@ -162,7 +160,7 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
             const Leaf &leaf = leaves_[next.node & ~leaf_bit];
             const math::F4 squares = leaf.block.distances_squared(at, rounded);
             for (uint32_t i = leaf.begin; i < leaf.end; ++i)
-                if (squares[i - leaf.begin] <= limit) try_triangle(i);
+                if (squares[i - leaf.begin] <= limit && i != tried) try_triangle(i);
             continue;
         }
         const Node &node = nodes_[next.node];

@@ -26,6 +26,7 @@ struct PartTrees::Tree {
     std::vector<Corners3> corners_of(const PosedParts &of) const
     {
         std::vector<Corners3> corners;
+        corners.reserve(triangles.size());
         for (const uint32_t t : triangles) corners.push_back(of.corners(of.triangles()[t]));
         return corners;
     }

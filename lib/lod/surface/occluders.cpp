@@ -41,6 +41,8 @@ Occluders::Ray::Ray(glm::dvec3 direction) : dir(direction)
 Occluders::Occluders(const std::vector<Corners3> &triangles)
 {
     const AabbTree tree(triangles);
+    triangles_.reserve(tree.order.size());
+    leaves_.reserve((tree.boxes.size() + 1) / 2), nodes_.reserve(tree.boxes.size() / 2);
     for (const uint32_t t : tree.order) {
         const Corners3 &c = triangles[t];
         triangles_.push_back({c[0], c[1] - c[0], c[2] - c[0]});
@@ -54,22 +56,17 @@ uint32_t Occluders::add(const AabbTree &tree, uint32_t box)
 {
     const AabbTree::Box &from = tree.boxes[box];
     if (!from.left) return add_leaf(from) | leaf_bit;
-    std::vector<uint32_t> children;
-    for (const uint32_t child : {from.left, from.left + 1}) {
-        const uint32_t left = tree.boxes[child].left;
-        if (!left) children.push_back(child);
-        else children.push_back(left), children.push_back(left + 1);
-    }
+    const auto [children, count] = tree.below(from);
     const size_t at = nodes_.size();
     nodes_.emplace_back();
     for (size_t i = 0; i < 4; ++i) {
         for (int axis = 0; axis < 3; ++axis) {
             const size_t k = static_cast<size_t>(axis);
-            const AabbTree::Box &of = tree.boxes[children[std::min(i, children.size() - 1)]];
+            const AabbTree::Box &of = tree.boxes[children[std::min(i, count - 1)]];
             nodes_[at].min[k][i] = float(of.min[axis] - rounding * size_);
             nodes_[at].max[k][i] = float(of.max[axis] + rounding * size_);
         }
-        const uint32_t child = i < children.size() ? add(tree, children[i]) : none;
+        const uint32_t child = i < count ? add(tree, children[i]) : none;
         nodes_[at].child[i] = child;
     }
     return static_cast<uint32_t>(at);

@@ -4,9 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
+#include "lib/lod/surface/point_tree.h"
 
 using namespace claque;
 
@@ -102,4 +105,28 @@ TEST(NearestPoint, IsFoundFromTooFarAwayForFloats)
     const lod::NearestPoint nearest(triangles);
     EXPECT_LT(nearest.to(glm::dvec3(1e30, 0, 0)).triangle, triangles.size());
     EXPECT_NEAR(nearest.to(glm::dvec3(1e30, 0, 0)).distance_squared / 1e60, 1, 1e-9);
+}
+
+// As a search over triangles without area finds it, also where several points are equally near.
+TEST(PointTree, FindsTheSamePointAsATreeOfTriangles)
+{
+    for (const size_t count : {1u, 2u, 5u, 400u}) {
+        std::vector<glm::dvec3> points;
+        std::vector<lod::NearestPoint::Triangle> triangles;
+        for (uint64_t i = 0; i < count; ++i) {
+            const glm::dvec3 p = 8.0 * somewhere(i);
+            points.push_back(i % 2 ? p : glm::floor(p));
+            triangles.push_back({points[i], points[i], points[i]});
+        }
+        const lod::PointTree tree(points);
+        const lod::NearestPoint other(triangles);
+        for (uint64_t i = 0; i < 600; ++i) {
+            const glm::dvec3 p = 12.0 * somewhere(9000 + i) - glm::dvec3(2), at = i % 3 ? p : glm::floor(p);
+            const lod::PointTree::Found found = tree.to(at);
+            EXPECT_EQ(found.point, other.to(at).triangle);
+            double least = HUGE_VAL;
+            for (const glm::dvec3 one : points) least = std::min(least, glm::dot(one - at, one - at));
+            EXPECT_EQ(found.distance_squared, least);
+        }
+    }
 }
