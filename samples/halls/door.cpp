@@ -50,4 +50,24 @@ Passage through_a_door(double width_m, size_t count, const Trial &trial)
     return passage;
 }
 
+Meeting meet_at_a_door(double width_m, size_t count, const Trial &trial)
+{
+    const Floor hall = hall_with_opening(width_m);
+    Crowd crowd(hall, trial);
+    while (crowd.people.size() < 2 * count) {
+        const double side = crowd.people.size() % 2 ? 1 : -1;
+        crowd.add(crowd.number(-3, 3), 0.15 + side * crowd.number(1, 4));
+    }
+    for (const Person &one : crowd.people) crowd.go(one, 0, one.z > 0 ? -11.5 : 11.5, 0.5f);
+    Meeting meeting;
+    for (; meeting.last_s < 300 && !crowd.people.empty(); meeting.last_s += trial.tick_s) {
+        crowd.step();
+        for (size_t i = crowd.people.size(); i-- > 0;)
+            if (std::fabs(crowd.people[i].z) > 8) crowd.remove(i);
+    }
+    meeting.nearest_m = crowd.nearest_m();
+    meeting.left = crowd.people.size();
+    return meeting;
+}
+
 }  // namespace halls

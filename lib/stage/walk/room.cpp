@@ -89,7 +89,7 @@ bool Walkers::one_can_go_round(uint32_t i, const Passing &passing, float bodies)
 }
 
 // To the side where there is room for both; ahead of the other one where there is none.
-void Walkers::step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead)
+void Walkers::step_aside(uint32_t i, const Passing &passing, float bodies)
 {
     const float wanted = bodies + margin_m, to_left = wanted - passing.aside, to_right = wanted + passing.aside;
     const float x = passing.z, z = -passing.x;  // to its left
@@ -97,7 +97,6 @@ void Walkers::step_aside(uint32_t i, const Passing &passing, float bodies, bool 
     const float right = room_towards(i, -x, -z, wanted + std::fabs(passing.aside));
     float velocity[3] = {passing.x * aside_m_s, 0, passing.z * aside_m_s};
     if (left + right >= wanted) {
-        if (only_ahead) return;
         bool goes_left = std::fabs(passing.aside) > 0.02f ? passing.aside > 0 : left >= right;
         if (goes_left && left < to_left && right >= to_right) goes_left = false;
         else if (!goes_left && right < to_right && left >= to_left) goes_left = true;
@@ -106,30 +105,25 @@ void Walkers::step_aside(uint32_t i, const Passing &passing, float bodies, bool 
     crowd_->requestMoveVelocity(static_cast<int>(i), velocity);
 }
 
-// Of two walkers that meet where only one can go, the one with the higher index goes back.
 void Walkers::make_room(uint32_t i)
 {
     Body &body = bodies_[i];
     dtCrowdAgent &a = agent(i);
-    if (body.state == CLQ_WALKER_WAITS || body.pull == Body::Pull::to) return;
-    const bool moved = is_moved(a), went_back = moved && !makes_room(a), walks = body.state == CLQ_WALKER_WALKS;
+    const bool walks = body.state == CLQ_WALKER_WALKS || body.state == CLQ_WALKER_WAITS;
+    if (walks || body.pull == Body::Pull::to) return;
+    const bool moved = is_moved(a), went_back = moved && !makes_room(a);
     const Float3 place = {a.npos[0], a.npos[1], a.npos[2]};
-    const bool slow = moved || a.vel[0] * body.aim[0] + a.vel[2] * body.aim[1] < hampered * body.speed;
     if (moved) crowd_->resetMoveTarget(static_cast<int>(i));
-    for (int n = 0; n < a.nneis && (slow || !walks); ++n) {
+    for (int n = 0; n < a.nneis; ++n) {
         const auto k = static_cast<uint32_t>(a.neis[n].idx);
         Passing passing{};
         if (k >= bodies_.size() || !bodies_[k].used()) continue;
         if (!wants_to_pass(k, place, a.params.radius, moved ? any_speed : hampered, passing)) continue;
-        const bool face = passing.x * body.aim[0] + passing.z * body.aim[1] < -0.5f;
-        if (walks && (k > i || !face)) continue;
         const float bodies = a.params.radius + agent(k).params.radius;
         const bool waits = !moved && one_can_go_round(i, passing, bodies);
         if (waits && !wants_to_pass(k, place, a.params.radius, stuck, passing)) continue;
-        step_aside(i, passing, bodies, walks);
-        if (is_moved(a)) return;
+        return step_aside(i, passing, bodies);
     }
-    if (walks && moved) body.state = CLQ_WALKER_WAITS;
     if (rests(body)) go_back(i, went_back);
 }
 

@@ -11,7 +11,7 @@ namespace
 {
 
 // Chosen with the constants of steer.cpp, by counterflow of two people a square metre.
-constexpr float held_up_m_s = 0.15f, held_up_s = 0.6f, walks_again_m_s = 0.4f;
+constexpr float held_up_m_s = 0.15f, turns_s = 0.6f, walks_again_m_s = 0.4f;
 
 }  // namespace
 
@@ -24,9 +24,11 @@ void Walkers::turn_shoulders(uint32_t i)
     const dtCrowdAgent &a = agent(i);
     const float speed = length_of(a.vel[0], a.vel[2]);
     const bool goes = scratch_.wishes[i].speed > 0;
-    const bool held_up = goes && speed < held_up_m_s && scratch_.around[i].meets;
-    body.held_up_s = held_up ? std::min(body.held_up_s + static_cast<float>(def_.tick_s), held_up_s) : 0;
-    if (body.held_up_s >= held_up_s) body.shoulders = turned_shoulders;
+    const float onward = dot({a.vel[0], a.vel[2]}, scratch_.wishes[i].direction);
+    const bool is_held_up = goes && scratch_.around[i].meets && onward < held_up_m_s;
+    const auto tick_s = static_cast<float>(def_.tick_s);
+    body.held_up_s = std::clamp(body.held_up_s + (is_held_up ? tick_s : -tick_s), 0.0f, 2 * waits_s);
+    if (body.held_up_s >= turns_s) body.shoulders = turned_shoulders;
     if (!(body.shoulders < 1) || (goes && speed < walks_again_m_s)) return;
     for (const Near &near : scratch_.around[i]) {
         const dtCrowdAgent &other = agent(near.index);

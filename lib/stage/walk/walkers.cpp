@@ -75,6 +75,7 @@ Walkers::Walkers(clq_navigation &mesh, const clq_walkers_def &def)
     pieces_.reserve(def.max_count);
     way_.polygons.reserve(max_way_polys);
     scratch_.wishes.resize(def.max_count), scratch_.around.resize(def.max_count), scratch_.pushes.resize(def.max_count);
+    scratch_.ranks.resize(def.max_count), scratch_.by_rank.reserve(def.max_count);
     mesh_version_ = mesh.version;
     ++mesh_.holders;
 }

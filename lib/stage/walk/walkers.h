@@ -22,6 +22,7 @@ struct FreeTrack {
 using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 
 constexpr float still_m_s = 0.05f;         // a walker that is slower stands
+constexpr float waits_s = 1;               // after which one of two who hold each other up goes first
 constexpr float turned_shoulders = 0.85f;  // share of its radius that a walker takes with its shoulders turned
 constexpr double min_piece_s = 0.0999;     // a little less than claque/track.h wants
 
@@ -119,7 +120,7 @@ private:
     bool wants_to_pass(uint32_t k, const Float3 &place, float radius, float slower_than, Passing &out) const;
     bool one_can_go_round(uint32_t i, const Passing &passing, float bodies) const;
     float room_towards(uint32_t i, float x, float z, float reach) const;
-    void step_aside(uint32_t i, const Passing &passing, float bodies, bool only_ahead);
+    void step_aside(uint32_t i, const Passing &passing, float bodies);
     void go_back(uint32_t i, bool went_back);
     void look_along(uint32_t i);
     float room_at(uint32_t i, dtPolyRef polygon, const float *corner, Flat outwards);
@@ -135,8 +136,14 @@ private:
     void steer(uint32_t i);
     void give_way();
     Flat held_up_towards(uint32_t i) const;
+    bool is_nearer(uint32_t a, uint32_t b) const;
+    void press_on_by_rank();
+    void pass_rank_on(uint32_t i);
+    bool is_narrow(uint32_t i, Flat towards, float reach) const;
+    void press_on(uint32_t i);
     void push_back(uint32_t k, Flat away, bool firmly);
     void push_those_before(uint32_t i);
+    void push_on();
     void push_those_behind(uint32_t i);
     void move(uint32_t i);
     void look_round(uint32_t i);
@@ -165,14 +172,15 @@ private:
     Way way_;  // scratch
     struct Push {
         Flat away;
-        bool listed = false, firmly = false;
+        bool listed = false, firmly = false, presses = false;
     };
     // Each tick writes it anew, by body.
     struct Scratch {
         std::vector<Wish> wishes;
         std::vector<Surroundings> around;
         std::vector<Push> pushes;
-        std::vector<uint32_t> order, pushed;
+        std::vector<uint32_t> ranks;  // the lowest goes first where people meet
+        std::vector<uint32_t> order, by_rank, pushed;
         std::vector<Cells::Place> places;
         Cells cells;
     } scratch_;

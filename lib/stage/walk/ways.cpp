@@ -38,7 +38,8 @@ void find_doors(size_t count, Mesh &out)
         }
     }
     for (size_t i = 0; i < count; ++i)
-        if (out.doors[i].polygons.empty()) fail(CLQ_ARGUMENT, "door %zu lies on no ground that people walk on", i);
+        if (out.doors[i].polygons.empty())
+            fail(CLQ_ARGUMENT, "door %zu lies on no ground: people walk no nearer to walls than radius_m", i);
 }
 
 unsigned short flags_of(const Mesh &mesh, dtPolyRef polygon)

@@ -2,6 +2,7 @@
 // and lanes of people who meet. All rows hold with the default walker.
 #include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +71,19 @@ TEST(Queues, FormLanesWherePeopleMeet)
             EXPECT_GE(round.nearest_m, 2 * turned_m - 0.001) << people_per_m2;
             EXPECT_LE(round.nearest_m, 2 * turned_m + 0.001) << people_per_m2;
             EXPECT_LE(round.longest_stop_s, 10) << people_per_m2;  // 5 s are wanted
+        }
+}
+
+// One goes first, and the others go back.
+TEST(Queues, PassAnOpeningFromBothSides)
+{
+    for (const halls::Trial &trial : trials())
+        for (const auto &[width_m, count, most_s] :
+             {std::tuple{0.8, 12u, 90.0}, {1.0, 12u, 75.0}, {1.0, 30u, 120.0}, {1.2, 30u, 100.0}, {2.0, 30u, 60.0}}) {
+            const halls::Meeting meeting = halls::meet_at_a_door(width_m, count, trial);
+            EXPECT_EQ(meeting.left, 0u) << width_m << " m, " << count;
+            EXPECT_LE(meeting.last_s, most_s) << width_m << " m, " << count;
+            EXPECT_GE(meeting.nearest_m, 2 * turned_m - 0.001) << width_m << " m, " << count;
         }
 }
 

@@ -122,7 +122,21 @@ TEST(WalkersThatMeet, GoBackWhereOnlyOneCanGo)
     held.go(both[0], 14, 3), held.go(both[1], 4, 3);
     const Passage passage = until_they_arrive(held, both, both, 40);
     EXPECT_TRUE(passage.arrived);
-    EXPECT_GT(passage.nearest_m, 0.38);
+    EXPECT_GT(passage.nearest_m, 0.85 * 0.4 - 0.001) << "two whose shoulders are turned";
+}
+
+TEST(WalkersThatMeet, GoBackInGroups)
+{
+    const Held held(passage_of(0.7));
+    std::vector<clq_walker> all;
+    for (int i = 0; i < 8; ++i) {
+        const double z = 2.5 + 0.7 * (i / 4), x = 1 + 0.7 * (i / 2 % 2);
+        all.push_back(i % 2 ? held.add(18 - x, z) : held.add(x, z));
+        held.go(all.back(), i % 2 ? x : 18 - x, z);
+    }
+    const Passage passage = until_they_arrive(held, all, all, 90);
+    EXPECT_TRUE(passage.arrived);
+    EXPECT_GT(passage.nearest_m, 0.85 * 0.4 - 0.001);
 }
 
 TEST(WalkersThatArrive, StandBesideWalkersThatAreThereAlready)
