@@ -9,7 +9,8 @@ that fails without a change counts for nothing. --area: a folder (lib/figures an
 way), with the tests that areas.txt names for it; or `any`, one that the seed chooses. --list: shows the draw alone.
 
 Survivors are reported with place, change and the tests that ran; they are no failure. Those that equal.txt names are
-apart: they change nothing that a test could see. README.md beside this file.
+apart: they change nothing that a test could see. A run with --json that was ended goes on when it is called again.
+README.md beside this file.
 """
 import sys
 
@@ -186,6 +187,8 @@ def baseline(cases, workers):
 
 def judge(mutant, cases, equal, folder):
     """Tries the cases that reach the place of a mutant, until one fails that passes again without it."""
+    if mutant.result:
+        return
     left_s = LIMIT_S
     for case in (case for case in cases if mutant.id in case.reached):
         limit_s = 20 + 20 * case.seconds
@@ -205,6 +208,32 @@ def judge(mutant, cases, equal, folder):
             mutant.remark = "five minutes were over; "
             break
     mutant.result = "EQUAL" if mutant.without_line() in equal else "SURVIVES" if mutant.ran else "UNREACHED"
+
+
+def as_json(mutant):
+    return dict(file=mutant.file, line=mutant.change.line, kind=mutant.change.kind, change=mutant.change.what,
+                result=mutant.result, remark=mutant.remark, tests=mutant.ran)
+
+
+def write_report(path, draw, mutants, broken):
+    """Those that are judged, whole or not at all."""
+    report = dict(draw, mutants=[as_json(one) for one in mutants if one.result], broken=list(map(str, broken)))
+    draft = path.with_name(path.name + ".part")
+    draft.write_text(json.dumps(report, indent=1) + "\n")
+    draft.replace(path)
+
+
+def take_report(path, draw, mutants):
+    """Gives mutants what an earlier run of the same draw found; returns how many."""
+    report = json.loads(path.read_text())
+    if any(report.get(key) != value for key, value in draw.items()):
+        fail(f"{path} holds another draw, or one of other files: remove it")
+    known = {tuple(one[key] for key in ("file", "line", "kind", "change")): one for one in report["mutants"]}
+    for mutant in mutants:
+        change = mutant.change
+        if one := known.get((mutant.file, change.line, change.kind, change.what)):
+            mutant.result, mutant.remark, mutant.ran = one["result"], one["remark"], one["tests"]
+    return sum(bool(mutant.result) for mutant in mutants)
 
 
 def told(mutant):
@@ -232,7 +261,8 @@ def main():
     parser.add_argument("--count", type=int, required=True)
     parser.add_argument("--area", help="a folder, or `any`")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    parser.add_argument("--json", type=pathlib.Path, help="writes all of it into this file")
+    parser.add_argument("--json", type=pathlib.Path,
+                        help="writes all of it into this file, and goes on with the draw that is there")
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     options.seed = options.seed or last_commit()
@@ -250,6 +280,10 @@ def main():
     if options.list:
         print("\n".join(map(str, itertools.islice(order, options.count))))
         return
+    files = hashed(*(f"{file} {hashlib.sha256(source[file]).hexdigest()}" for file in sorted(source))).hex()
+    draw = dict(seed=options.seed, area=area, count=options.count, files=files)
+    if options.json and options.json.exists():
+        take_report(options.json, draw, [])  # refuses one of another draw at once
     ROOT.mkdir(parents=True, exist_ok=True)
     write_tree(source, {})
     configure()
@@ -268,13 +302,12 @@ def main():
     passed = baseline(cases, workers)
     step(f"{len(passed)} of {len(cases)} tests pass without a change")
     equal = equal_ones()
+    if options.json and options.json.exists():
+        step(f"{take_report(options.json, draw, mutants)} were judged before")
     for mutant, _ in zip(mutants, workers.each(lambda one, folder: judge(one, passed, equal, folder), mutants)):
         print(told(mutant), flush=True)
-    if options.json:
-        result = [dict(file=m.file, line=m.change.line, kind=m.change.kind, change=m.change.what, result=m.result,
-                       remark=m.remark, tests=m.ran) for m in mutants]
-        options.json.write_text(json.dumps(dict(seed=options.seed, area=area, mutants=result,
-                                                broken=list(map(str, broken))), indent=1) + "\n")
+        if options.json:
+            write_report(options.json, draw, mutants, broken)
     step(summary(options.seed, area, mutants, broken))
 
 

@@ -17,6 +17,14 @@ from operators import applied, population_of
 HERE = pathlib.Path(__file__).resolve().parent
 
 
+def random_py():
+    """As a module; its name is that of a module of Python's own."""
+    spec = importlib.util.spec_from_file_location("draw", HERE / "random.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
 def changes_of(text):
     return [change for _, changes in population_of(text) for change in changes]
 
@@ -169,9 +177,7 @@ int main() { return twice(4); }
 
 class Errors(unittest.TestCase):
     def test_name_a_header_by_either_path(self):
-        spec = importlib.util.spec_from_file_location("draw", HERE / "random.py")
-        draw = importlib.util.module_from_spec(spec)
-        spec.loader.exec_module(draw)
+        draw = random_py()
         errors = """/a/mutants/tree/lib/track/track_file.cpp:19:48: error: not usable in a constant expression
 In file included from /a/mutants/tree/lib/track/track_file.cpp:1:
 ../../lib/track/track_file.h:10:40: note: was not initialized with a constant expression
@@ -179,6 +185,28 @@ In file included from /a/mutants/tree/lib/track/track_file.cpp:1:
 """
         self.assertEqual(draw.places_named(errors),
                          {("lib/track/track_file.cpp", "19"), ("lib/track/track_file.h", "10")})
+
+
+class Reports(unittest.TestCase):
+    def test_let_a_draw_go_on_and_refuse_another(self):
+        draw = random_py()
+        changes = [changes[0] for _, changes in population_of(Builds.SOURCE)][:3]
+        mutants = [draw.Mutant("a.cpp", change) for change in changes]
+        mutants[0].result, mutants[0].remark, mutants[0].ran = "failed", "A.B", ["A.C", "A.B"]
+        mutants[2].result = "UNREACHED"
+        with tempfile.TemporaryDirectory() as folder:
+            report, of = pathlib.Path(folder) / "report.json", {"seed": "s", "area": None, "count": 3, "files": "f"}
+            draw.write_report(report, of, mutants, [])
+            again = [draw.Mutant("a.cpp", change) for change in changes]
+            self.assertEqual(draw.take_report(report, of, again), 2)
+            self.assertEqual([(one.result, one.remark, one.ran) for one in again],
+                             [(one.result, one.remark, one.ran) for one in mutants])
+            draw.judge(again[0], [], set(), pathlib.Path(folder))
+            self.assertEqual(again[0].result, "failed")
+            for key in of:
+                with self.assertRaises(SystemExit):
+                    draw.take_report(report, dict(of, **{key: "other"}), again)
+            self.assertEqual([file.name for file in pathlib.Path(folder).iterdir()], ["report.json"])
 
 
 class Cases(unittest.TestCase):
