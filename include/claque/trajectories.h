@@ -38,7 +38,7 @@ typedef struct clq_trajectories_def {
     uint32_t struct_bytes; /* set by clq_trajectories_def_init */
     clq_trajectory_format format;
     /* The columns of a table from left to right, by names with commas between: id, frame or time, x, y, z, heading;
-     * any other name passes over a column. time is in seconds, heading in degrees, counter-clockwise from +x. Blanks,
+     * - passes over a column. time is in seconds, heading in degrees, counter-clockwise from +x. Blanks,
      * tabs, commas or semicolons separate columns; the first row of numbers decides. NULL: the format knows. */
     const char *columns;
     /* [0, 1e6] frame numbers in a second. 0: the file says it, or the load is refused. Files with times ignore it. */

@@ -222,11 +222,15 @@ void run_stage(const StageArguments &a)
                             {"pieces", info.tracks}};
     }
     report["doors"] = Json::array();
-    for (const staged::DoorCount &door : open->scene->run().doors())
+    for (const staged::DoorCount &door : open->scene->run().doors()) {
         report["doors"].push_back({{"name", door.name},
                                    {"width_m", door.width_m},
                                    {"passed", door.passed_s.size()},
                                    {"people_per_s_m", staged::flow_of(door.passed_s, door.width_m)}});
+        if (door.passed_s.empty()) continue;
+        report["doors"].back()["first_s"] = door.passed_s.front();
+        report["doors"].back()["last_s"] = door.passed_s.back();
+    }
     if (a.live) report["live"] = times;
     if (measures_any(a.measures)) report["measures"] = measure_record(library, a, progress);
     report["warnings"] = library.warnings();

@@ -72,6 +72,8 @@ TEST_F(StageCommand, MeasuresAsTracksMeasuresItsRecord)
     ASSERT_EQ(report["doors"][0]["name"], "south door");
     EXPECT_EQ(last, report["doors"][0]["passed"].dump() + "\n");
     EXPECT_GT(report["doors"][0]["passed"], 2);
+    EXPECT_GT(report["doors"][0]["first_s"], 0);
+    EXPECT_GT(report["doors"][0]["last_s"], report["doors"][0]["first_s"]);
     const Outcome alone = claque({"stage", path("hall.toml"), "--measure", path("no.csv")});
     EXPECT_NE(alone.err.find("--measure requires --record"), std::string::npos) << alone.err;
 }

@@ -14,7 +14,7 @@ using namespace scenes;
 constexpr uint32_t people = 200;
 
 // People in the western half of a room of 30 x 20 m with two exits of 1 m in its south wall.
-Scenario room(const char *widths)
+Scenario room(const char *widths, const char *exit = "[3.5, 0.0, 5.0]", const char *door = "[3.0, 0.0, 4.0, 0.5]")
 {
     const std::string folder = testing::TempDir() + "claque_exits";
     std::filesystem::create_directories(folder);
@@ -27,8 +27,12 @@ Scenario room(const char *widths)
            "\n[states.out]\nenter = [ { call = 'leave' } ]\n";
     hall << "POLYGON ((0 0, 0 20, 30 20, 30 0, 27 0, 27 -6, 26 -6, 26 0, 4 0, 4 -6, 3 -6, 3 0, 0 0))\n";
     scenario << "name = 'room'\n[stage]\nseconds = 200.0\n[[characters]]\nname = 'people'\ncharacter = 'citizen'\n"
-                "[places]\nwest = [3.5, 0.0, 5.0]\neast = [26.5, 0.0, 5.0]\n[navigation]\narea = 'room.wkt'\n"
-                "[[doors]]\nname = 'west'\narea = [3.0, 0.0, 4.0, 0.5]\n[[doors]]\nname = 'east'\n"
+                "[places]\nwest = "
+             << exit
+             << "\neast = [26.5, 0.0, 5.0]\n[navigation]\narea = 'room.wkt'\n"
+                "[[doors]]\nname = 'west'\narea = "
+             << door
+             << "\n[[doors]]\nname = 'east'\n"
                 "area = [26.0, 0.0, 27.0, 0.5]\n[[agents]]\nclass = 'people'\nmachine = 'leaver.toml'\ncount = "
              << people << "\narea = [0.5, -19.5, 14.5, -0.5]\nexits = ['west', 'east']\n"
              << widths;
@@ -77,6 +81,26 @@ TEST(Exits, AreChosenAlikeInARunThatIsRestored)
     EXPECT_GT(world.run().counts().left, 20u);
     EXPECT_EQ(world.run().info().hash, again.run().info().hash);
     EXPECT_EQ(world.run().doors()[1].passed_s, again.run().doors()[1].passed_s);
+}
+
+std::string refusal_of(const Scenario &scenario)
+{
+    try {
+        World world(scenario, 1, false);
+    } catch (const Failure &failure) {
+        return failure.what();
+    }
+    return "nothing is refused";
+}
+
+TEST(Exits, AndDoorsOffTheGroundAreNamedBeforeTheRunBegins)
+{
+    const std::string exit = refusal_of(room("", "[3.5, 0.0, 50.0]"));
+    EXPECT_NE(exit.find("room.toml:18:1"), std::string::npos) << exit;
+    EXPECT_NE(exit.find("no ground is within 2 m of the exit 'west'"), std::string::npos) << exit;
+    const std::string door = refusal_of(room("", "[3.5, 0.0, 5.0]", "[10.0, 1.0, 11.0, 2.0]"));
+    EXPECT_NE(door.find("room.toml:12:1"), std::string::npos) << door;
+    EXPECT_NE(door.find("lies on no ground: people walk no nearer to walls than radius_m"), std::string::npos) << door;
 }
 
 }  // namespace

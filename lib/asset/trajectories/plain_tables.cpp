@@ -73,12 +73,19 @@ Columns named_by_caller(const std::string &text)
     const std::pair<const char *, int *> known[] = {
         {"id", &columns.id}, {"frame", &columns.frame}, {"time", &columns.time},      {"x", &columns.x},
         {"y", &columns.y},   {"z", &columns.z},         {"heading", &columns.heading}};
-    for (int i = 0; i < static_cast<int>(names.count()); ++i)
+    for (int i = 0; i < static_cast<int>(names.count()); ++i) {
+        bool is_known = names[i] == "-";
         for (const auto &[name, place] : known) {
             if (names[i] != name) continue;
             if (*place >= 0) fail(CLQ_ARGUMENT, "--columns (columns) names %s twice: '%.200s'", name, text.c_str());
             *place = i;
+            is_known = true;
         }
+        if (!is_known)
+            fail(CLQ_ARGUMENT,
+                 "--columns (columns) knows id, frame, time, x, y, z and heading, and - for any other, not %s",
+                 in_quotes(names[i]).c_str());
+    }
     if (!columns.complete() || (columns.frame >= 0 && columns.time >= 0))
         fail(CLQ_ARGUMENT, "--columns (columns) has to name id, x, y, and frame or time: '%.200s'", text.c_str());
     return columns;

@@ -42,13 +42,14 @@ void plate(Geometry &out, const Plan &plan, double half_x, double half_z, double
         }
 }
 
+// As long as its line and its thickness, so that corners are closed.
 void raise_wall(Geometry &out, const double a[3], const double b[3], double wall_m)
 {
     const double x = b[0] - a[0], z = b[2] - a[2], length = std::sqrt(x * x + z * z);
     if (!(length > 0)) return;
-    const double nx = -z / length * half_thick_m, nz = x / length * half_thick_m;
-    const Vec3 low[4] = {at(a[0] + nx, a[1], a[2] + nz), at(b[0] + nx, b[1], b[2] + nz), at(b[0] - nx, b[1], b[2] - nz),
-                         at(a[0] - nx, a[1], a[2] - nz)};
+    const double x1 = x / length * half_thick_m, z1 = z / length * half_thick_m;
+    const Vec3 low[4] = {at(a[0] - x1 - z1, a[1], a[2] - z1 + x1), at(b[0] + x1 - z1, b[1], b[2] + z1 + x1),
+                         at(b[0] + x1 + z1, b[1], b[2] + z1 - x1), at(a[0] - x1 + z1, a[1], a[2] - z1 - x1)};
     Vec3 high[4];
     for (int i = 0; i < 4; ++i) high[i] = {low[i].x, low[i].y + static_cast<float>(wall_m), low[i].z};
     for (int i = 0; i < 4; ++i) {

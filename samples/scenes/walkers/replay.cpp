@@ -124,6 +124,7 @@ public:
     {
         check(clq_record_play(file_.record.get(), crowd_.get(), time_s));
         if (followed_) find_followed(time_s);
+        warn_of_other_times(time_s);
     }
 
     std::optional<ReadPart> read_part() const override
@@ -146,6 +147,17 @@ public:
     void draw_environment(const Gl &g, const Eye &eye) const override { plain_.draw(g, eye); }
 
 private:
+    void warn_of_other_times(double time_s) const
+    {
+        constexpr double around_s = 1;
+        const double start_s = file_.info.start_s, end_s = file_.info.end_s;
+        if (time_s >= start_s - around_s && time_s <= end_s + around_s) return;
+        char text[120];
+        std::snprintf(text, sizeof text, "the record runs from %.6g to %.6g s: other times show its %s", start_s, end_s,
+                      time_s < start_s ? "first step" : "end");
+        clq_context_log(library_.context(), CLQ_LOG_WARNING, text);
+    }
+
     // The actor that has this number now, whichever it is. One whose track has ended is absent.
     void find_followed(double time_s)
     {

@@ -90,6 +90,7 @@ public:
     {
         places_.clear();
         if (followed_) warn_of_absence(people_->all()[*followed_], time_s);
+        warn_of_nobody(time_s);
         vehicles_->place(time_s);
         for (size_t individual = 0; individual < person_of_.size(); ++individual) {
             const size_t i = person_of_[individual];
@@ -226,6 +227,15 @@ private:
                       person.start_s, person.end_s);
         clq_context_log(library_.context(), CLQ_LOG_WARNING,
                         ((person.kind == Person::Kind::vehicle ? "vehicle " : "person ") + person.id + text).c_str());
+    }
+
+    void warn_of_nobody(double time_s) const
+    {
+        const double end_s = plan_.end_s - plan_.start_s;
+        if (time_s >= -around_s && time_s <= end_s + around_s) return;
+        char text[100];
+        std::snprintf(text, sizeof text, "people are present from 0 to %.6g s: other times show nobody", end_s);
+        clq_context_log(library_.context(), CLQ_LOG_WARNING, text);
     }
 
     // Over the shoulder, from where the person comes; the direction is the mean of two seconds, so that it does not
