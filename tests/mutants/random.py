@@ -38,6 +38,7 @@ FOLDERS = ("animcache/", "lib/", "meshsplit/", "passes/")
 APART = ("lib/figures/", "lib/python/")
 LIMIT_S = 300
 MEMORY = 8 << 30  # of each process: a mutant that allocates for ever ends before the machine does
+KEPT = ROOT / "baseline.json"  # of the last draw with --json
 INCLUDE = '#include "tests/mutants/switch.h"\n#line 1\n'
 
 
@@ -169,8 +170,23 @@ def built(mutants, source, targets, jobs):
         mutants = [mutant for mutant in mutants if mutant not in bad]
 
 
-def baseline(cases, workers):
-    """The cases that pass, shortest first, with what each reaches; and how many do not."""
+def kept_baseline(cases, draw):
+    """What an earlier run of the same draw found, or None."""
+    if not draw or not KEPT.exists():
+        return None
+    kept, of_name = json.loads(KEPT.read_text()), {case.name: case for case in cases}
+    if kept["draw"] != draw or not of_name.keys() >= kept["passed"].keys():
+        return None
+    for name, (seconds, reached) in kept["passed"].items():
+        of_name[name].seconds, of_name[name].reached = seconds, frozenset(reached)
+    return [of_name[name] for name in kept["passed"]]
+
+
+def baseline(cases, workers, draw):
+    """The cases that pass, shortest first, with what each reaches; kept for a run that goes on with the draw."""
+    if (kept := kept_baseline(cases, draw)) is not None:
+        return kept
+
     def reach(case, folder):
         reached = folder / "reached"
         happened, case.seconds = case.run(folder, case.limit_s, reached=reached)
@@ -182,7 +198,11 @@ def baseline(cases, workers):
         if happened not in ("passed", "skipped"):
             print(f"without a change, {case.name} {happened}, and counts for nothing", flush=True)
     passed = [case for case, happened in results if happened == "passed"]
-    return sorted(passed, key=lambda case: (case.seconds, case.name))
+    passed.sort(key=lambda case: (case.seconds, case.name))
+    if draw:
+        KEPT.write_text(json.dumps(dict(draw=draw, passed={case.name: [case.seconds, sorted(case.reached)]
+                                                           for case in passed})))
+    return passed
 
 
 def judge(mutant, cases, equal, folder):
@@ -299,7 +319,7 @@ def main():
     folders = tuple(f"tests/{folder}/" for folder in tests or [""])
     cases = [case for case in cases_of(BUILD) if not tests or f"{case.folder}/".startswith(folders)]
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    passed = baseline(cases, workers)
+    passed = baseline(cases, workers, options.json and draw)
     step(f"{len(passed)} of {len(cases)} tests pass without a change")
     equal = equal_ones()
     if options.json and options.json.exists():

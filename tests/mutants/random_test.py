@@ -209,6 +209,23 @@ class Reports(unittest.TestCase):
             self.assertEqual([file.name for file in pathlib.Path(folder).iterdir()], ["report.json"])
 
 
+class Baselines(unittest.TestCase):
+    def test_are_kept_for_the_same_draw_alone(self):
+        draw = random_py()
+        with tempfile.TemporaryDirectory() as folder:
+            draw.KEPT = pathlib.Path(folder) / "baseline.json"
+            test = {"name": "A.B", "command": ["sh", "-c", "echo 7 > $CLAQUE_MUTANTS_REACHED"], "properties": []}
+            test["properties"].append({"name": "WORKING_DIRECTORY", "value": folder})
+            fails = {"name": "A.C", "command": ["false"], "properties": test["properties"]}
+            cases = [Case(test, folder), Case(fails, folder)]
+            workers = draw.Workers(1)
+            self.assertEqual([case.name for case in draw.baseline(cases, workers, {"seed": "s"})], ["A.B"])
+            again = [Case(dict(test, command=["false"]), folder), Case(fails, folder)]
+            known = draw.baseline(again, workers, {"seed": "s"})
+            self.assertEqual([(case.name, case.reached) for case in known], [("A.B", frozenset({7}))])
+            self.assertEqual(draw.baseline(again, workers, {"seed": "t"}), [])
+
+
 class Cases(unittest.TestCase):
     def happened(self, script, limit_s=20, **properties):
         test = {"name": "Suite.Case", "command": ["sh", "-c", script],
