@@ -139,8 +139,9 @@ void Walkers::press_on(uint32_t i)
             continue;
         const Flat its = scratch_.wishes[other.index].direction;
         if (!(dot(other.at, towards) > 0) || !(dot(other.at, its) < 0)) continue;
-        if (bodies_[other.index].held_up_s < waits_s || other.gives_way || gives_way(i, other.index)) continue;
-        if (!is_narrow(i, other.direction(), other.distance)) continue;
+        const float both_s = std::min(bodies_[i].held_up_s, bodies_[other.index].held_up_s);
+        if (both_s < waits_s || other.gives_way || gives_way(i, other.index)) continue;
+        if (both_s < waits_long_s && !is_narrow(i, other.direction(), other.distance)) continue;
         meets = true;
         if (other.gap() <= clears_m) push_back(other.index, other.direction(), true);
     }

@@ -27,7 +27,7 @@ void Walkers::turn_shoulders(uint32_t i)
     const float onward = dot({a.vel[0], a.vel[2]}, scratch_.wishes[i].direction);
     const bool is_held_up = goes && scratch_.around[i].meets && onward < held_up_m_s;
     const auto tick_s = static_cast<float>(def_.tick_s);
-    body.held_up_s = std::clamp(body.held_up_s + (is_held_up ? tick_s : -tick_s), 0.0f, 2 * waits_s);
+    body.held_up_s = std::clamp(body.held_up_s + (is_held_up ? tick_s : -tick_s), 0.0f, waits_long_s);
     if (body.held_up_s >= turns_s) body.shoulders = turned_shoulders;
     if (!(body.shoulders < 1) || (goes && speed < walks_again_m_s)) return;
     for (const Near &near : scratch_.around[i]) {

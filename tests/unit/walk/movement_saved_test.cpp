@@ -112,7 +112,7 @@ TEST_F(Movement, TurnsShouldersWhereTwoMeetAndBackAtRest)
     // Walkers that are stopped while they meet turn back where they have room.
     for (uint32_t i = 0; i < 40; ++i) movement->go(i, goal(i % 2 ? 7 : 0.5, 0.5 + 0.75 * (i / 6), i), 60);
     int at = 1200;
-    while (turned() < 2 && at < 1500) run(*movement, at, at + 1), ++at;
+    while (turned() < 1 && at < 1500) run(*movement, at, at + 1), ++at;
     const size_t before = turned();
     for (uint32_t i = 0; i < 40; ++i) movement->stop(i, 0.05 * at);
     run(*movement, at, at + 100);

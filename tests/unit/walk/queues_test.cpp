@@ -87,6 +87,14 @@ TEST(Queues, PassAnOpeningFromBothSides)
         }
 }
 
+// Two crowds of 60 jam on both sides of the opening, too, where no walls are near.
+TEST(Queues, GoOnWhereTwoCrowdsJamInTheOpen)
+{
+    const halls::Meeting meeting = halls::meet_at_a_door(2, 60, {7});
+    EXPECT_EQ(meeting.left, 0u);
+    EXPECT_LE(meeting.last_s, 150);
+}
+
 // Nobody trembles: they came, and stand.
 TEST(Queues, StandStillBehindAClosedDoor)
 {
