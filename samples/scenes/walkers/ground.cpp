@@ -12,7 +12,7 @@ namespace
 {
 
 constexpr Rgb stone = {0.93f, 0.91f, 0.87f}, wall = {0.80f, 0.76f, 0.70f}, grass = {0.44f, 0.50f, 0.36f};
-constexpr double margin_m = 4, half_thick_m = 0.08, country_m = 2000;
+constexpr double margin_m = 4, half_thick_m = 0.1, country_m = 2000;
 
 struct DestroyArea {
     void operator()(clq_area *p) const { clq_area_destroy(p); }
