@@ -28,6 +28,7 @@ import shlex
 import subprocess
 import time
 
+import kept
 from cases import cases_of
 from copied_tree import BUILD, HERE, LOG, ROOT, SOURCE, TREE, build, configure, log_tail, read_tree, write_tree
 from mutants import fail
@@ -38,7 +39,6 @@ FOLDERS = ("animcache/", "lib/", "meshsplit/", "passes/")
 APART = ("lib/figures/", "lib/python/")
 LIMIT_S = 300
 MEMORY = 8 << 30  # of each process: a mutant that allocates for ever ends before the machine does
-KEPT = ROOT / "baseline.json"  # of the last draw with --json
 INCLUDE = '#include "tests/mutants/switch.h"\n#line 1\n'
 
 
@@ -170,22 +170,10 @@ def built(mutants, source, targets, jobs):
         mutants = [mutant for mutant in mutants if mutant not in bad]
 
 
-def kept_baseline(cases, draw):
-    """What an earlier run of the same draw found, or None."""
-    if not draw or not KEPT.exists():
-        return None
-    kept, of_name = json.loads(KEPT.read_text()), {case.name: case for case in cases}
-    if kept["draw"] != draw or not of_name.keys() >= kept["passed"].keys():
-        return None
-    for name, (seconds, reached) in kept["passed"].items():
-        of_name[name].seconds, of_name[name].reached = seconds, frozenset(reached)
-    return [of_name[name] for name in kept["passed"]]
-
-
 def baseline(cases, workers, draw):
     """The cases that pass, shortest first, with what each reaches; kept for a run that goes on with the draw."""
-    if (kept := kept_baseline(cases, draw)) is not None:
-        return kept
+    if (known := kept.baseline_of(cases, draw)) is not None:
+        return known
 
     def reach(case, folder):
         reached = folder / "reached"
@@ -200,8 +188,7 @@ def baseline(cases, workers, draw):
     passed = [case for case, happened in results if happened == "passed"]
     passed.sort(key=lambda case: (case.seconds, case.name))
     if draw:
-        KEPT.write_text(json.dumps(dict(draw=draw, passed={case.name: [case.seconds, sorted(case.reached)]
-                                                           for case in passed})))
+        kept.write_baseline(passed, draw)
     return passed
 
 
@@ -228,32 +215,6 @@ def judge(mutant, cases, equal, folder):
             mutant.remark = "five minutes were over; "
             break
     mutant.result = "EQUAL" if mutant.without_line() in equal else "SURVIVES" if mutant.ran else "UNREACHED"
-
-
-def as_json(mutant):
-    return dict(file=mutant.file, line=mutant.change.line, kind=mutant.change.kind, change=mutant.change.what,
-                result=mutant.result, remark=mutant.remark, tests=mutant.ran)
-
-
-def write_report(path, draw, mutants, broken):
-    """Those that are judged, whole or not at all."""
-    report = dict(draw, mutants=[as_json(one) for one in mutants if one.result], broken=list(map(str, broken)))
-    draft = path.with_name(path.name + ".part")
-    draft.write_text(json.dumps(report, indent=1) + "\n")
-    draft.replace(path)
-
-
-def take_report(path, draw, mutants):
-    """Gives mutants what an earlier run of the same draw found; returns how many."""
-    report = json.loads(path.read_text())
-    if any(report.get(key) != value for key, value in draw.items()):
-        fail(f"{path} holds another draw, or one of other files: remove it")
-    known = {tuple(one[key] for key in ("file", "line", "kind", "change")): one for one in report["mutants"]}
-    for mutant in mutants:
-        change = mutant.change
-        if one := known.get((mutant.file, change.line, change.kind, change.what)):
-            mutant.result, mutant.remark, mutant.ran = one["result"], one["remark"], one["tests"]
-    return sum(bool(mutant.result) for mutant in mutants)
 
 
 def told(mutant):
@@ -303,7 +264,7 @@ def main():
     files = hashed(*(f"{file} {hashlib.sha256(source[file]).hexdigest()}" for file in sorted(source))).hex()
     draw = dict(seed=options.seed, area=area, count=options.count, files=files)
     if options.json and options.json.exists():
-        take_report(options.json, draw, [])  # refuses one of another draw at once
+        kept.take_report(options.json, draw, [])  # refuses one of another draw at once
     ROOT.mkdir(parents=True, exist_ok=True)
     write_tree(source, {})
     configure()
@@ -319,15 +280,15 @@ def main():
     folders = tuple(f"tests/{folder}/" for folder in tests or [""])
     cases = [case for case in cases_of(BUILD) if not tests or f"{case.folder}/".startswith(folders)]
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    passed = baseline(cases, workers, options.json and draw)
+    passed = baseline(cases, workers, options.json and dict(draw, mutants=list(map(str, mutants))))
     step(f"{len(passed)} of {len(cases)} tests pass without a change")
     equal = equal_ones()
     if options.json and options.json.exists():
-        step(f"{take_report(options.json, draw, mutants)} were judged before")
+        step(f"{kept.take_report(options.json, draw, mutants)} were judged before")
     for mutant, _ in zip(mutants, workers.each(lambda one, folder: judge(one, passed, equal, folder), mutants)):
         print(told(mutant), flush=True)
         if options.json:
-            write_report(options.json, draw, mutants, broken)
+            kept.write_report(options.json, draw, mutants, broken)
     step(summary(options.seed, area, mutants, broken))
 
 

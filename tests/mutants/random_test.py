@@ -11,6 +11,7 @@ import tempfile
 import unittest
 
 sys.dont_write_bytecode = True
+import kept
 from cases import Case
 from operators import applied, population_of
 
@@ -196,16 +197,16 @@ class Reports(unittest.TestCase):
         mutants[2].result = "UNREACHED"
         with tempfile.TemporaryDirectory() as folder:
             report, of = pathlib.Path(folder) / "report.json", {"seed": "s", "area": None, "count": 3, "files": "f"}
-            draw.write_report(report, of, mutants, [])
+            kept.write_report(report, of, mutants, [])
             again = [draw.Mutant("a.cpp", change) for change in changes]
-            self.assertEqual(draw.take_report(report, of, again), 2)
+            self.assertEqual(kept.take_report(report, of, again), 2)
             self.assertEqual([(one.result, one.remark, one.ran) for one in again],
                              [(one.result, one.remark, one.ran) for one in mutants])
             draw.judge(again[0], [], set(), pathlib.Path(folder))
             self.assertEqual(again[0].result, "failed")
             for key in of:
                 with self.assertRaises(SystemExit):
-                    draw.take_report(report, dict(of, **{key: "other"}), again)
+                    kept.take_report(report, dict(of, **{key: "other"}), again)
             self.assertEqual([file.name for file in pathlib.Path(folder).iterdir()], ["report.json"])
 
 
@@ -213,7 +214,7 @@ class Baselines(unittest.TestCase):
     def test_are_kept_for_the_same_draw_alone(self):
         draw = random_py()
         with tempfile.TemporaryDirectory() as folder:
-            draw.KEPT = pathlib.Path(folder) / "baseline.json"
+            kept.BASELINE = pathlib.Path(folder) / "baseline.json"
             test = {"name": "A.B", "command": ["sh", "-c", "echo 7 > $CLAQUE_MUTANTS_REACHED"], "properties": []}
             test["properties"].append({"name": "WORKING_DIRECTORY", "value": folder})
             fails = {"name": "A.C", "command": ["false"], "properties": test["properties"]}
