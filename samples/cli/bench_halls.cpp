@@ -45,11 +45,33 @@ Json report_of(const BenchArguments &a, const char *title, const char *x, const 
             {"note", std::to_string(a.seeds) + (a.seeds == 1 ? " seed" : " seeds, the least and the most of each")}};
 }
 
+// Rows beside those of the chart: two crowds meet at an opening.
+Json meetings(const BenchArguments &a, Progress &progress, size_t done, size_t all)
+{
+    Json rows = Json::array();
+    for (const halls::Opening &opening : halls::openings) {
+        Spread last, nearest;
+        size_t left = 0;
+        for (unsigned seed = 1; seed <= a.seeds; ++seed) {
+            const halls::Meeting meeting = halls::meet_at_a_door(opening.width_m, opening.count, {seed});
+            last.add(meeting.last_s), nearest.add(meeting.nearest_m), left += meeting.left;
+            progress.step(++done, all);
+        }
+        rows.push_back({{"width_m", opening.width_m},
+                        {"people", 2 * opening.count},
+                        {"last_s", last.json()},
+                        {"nearest_m", nearest.least()},
+                        {"left", left}});
+    }
+    return rows;
+}
+
 Json doors(const BenchArguments &a, Progress &progress)
 {
     Json report = report_of(a, "People who leave a hall through one door", "width of the door, metres",
                             "people a second, while more than 2 a square metre wait");
     Json least = Json::array(), most = Json::array(), demanded_least = Json::array(), demanded_most = Json::array();
+    const size_t all = (std::size(halls::doors) + std::size(halls::openings)) * a.seeds;
     size_t done = 0;
     for (const halls::Door &door : halls::doors) {
         Spread flow, pause, nearest;
@@ -58,7 +80,7 @@ Json doors(const BenchArguments &a, Progress &progress)
             const halls::Passage passage = halls::through_a_door(door.width_m, door.people, {seed});
             flow.add(passage.flow), pause.add(passage.longest_pause_s), nearest.add(passage.nearest_m);
             left += passage.left;
-            progress.step(++done, std::size(halls::doors) * a.seeds);
+            progress.step(++done, all);
         }
         report["runs"].push_back({{"width_m", door.width_m},
                                   {"people", door.people},
@@ -75,6 +97,7 @@ Json doors(const BenchArguments &a, Progress &progress)
     report["series"] = {series("walkers, least", least, 0, "solid"), series("walkers, most", most, 0, "dashed"),
                         series("demanded, least", demanded_least, 1, "dashed"),
                         series("demanded, most", demanded_most, 1, "dotted")};
+    report["meetings"] = meetings(a, progress, done, all);
     return report;
 }
 
@@ -147,6 +170,13 @@ void print_halls(const Json &report)
                         number(run, "people_per_m2"), number(run, "weidmann_m_s"), number(run["median_m_s"], "least"),
                         number(run["median_m_s"], "most"), number(run, "order"), number(run, "longest_stop_s"),
                         number(run, "nearest_m"));
+    if (!of_doors) return;
+    std::printf("\nTwo crowds of equal size meet at the opening\n%9s %7s  %s  %s\n", "opening m", "people",
+                "last one through s", "nearest centres m");
+    for (const Json &run : report["meetings"])
+        std::printf("%9.1f %7u  %7.0f to %-7.0f  %17.4f%s\n", number(run, "width_m"), run["people"].get<unsigned>(),
+                    number(run["last_s"], "least"), number(run["last_s"], "most"), number(run, "nearest_m"),
+                    run["left"].get<size_t>() > 0 ? "  some never passed" : "");
 }
 
 }  // namespace cli

@@ -10,6 +10,8 @@ const Door doors[5] = {
     {2.0, 150, 1.1, 1.9, 3}, {4.0, 300, 1.1, 1.9, 3},
 };
 
+const Opening openings[6] = {{0.8, 30}, {1.0, 30}, {1.2, 30}, {2.0, 30}, {3.0, 30}, {2.0, 60}};
+
 Floor hall_with_opening(double width_m)
 {
     Floor hall;

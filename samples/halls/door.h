@@ -21,12 +21,18 @@ struct Passage {
 };
 Passage through_a_door(double width_m, size_t count, const Trial &trial);
 
-// Two groups of `count` people on both sides of the opening, who all go to the other side.
+// `count` people on each side of the opening walk to the other side.
 struct Meeting {
     double last_s = 0, nearest_m = 0;
     size_t left = 0;  // after 300 s
 };
 Meeting meet_at_a_door(double width_m, size_t count, const Trial &trial);
+
+struct Opening {
+    double width_m;
+    size_t count;  // on each side
+};
+extern const Opening openings[6];
 
 // The hall, without what fills the opening.
 Floor hall_with_opening(double width_m);

@@ -28,6 +28,13 @@ TEST_F(BenchHalls, TellWhatPassesEachDoorAndPlotIt)
         EXPECT_EQ(point[0], run["width_m"]);
         EXPECT_NEAR(point[1].get<double>(), run["flow"]["least"].get<double>() * run["width_m"].get<double>(), 1e-9);
     }
+    ASSERT_EQ(report["meetings"].size(), 6u);
+    for (const Json &row : report["meetings"]) {
+        EXPECT_EQ(row["left"], 0) << row;
+        EXPECT_LT(row["last_s"]["most"], 150) << row;
+        EXPECT_EQ(row["last_s"]["least"], row["last_s"]["most"]) << row;
+    }
+    EXPECT_NE(done.out.find("opening m"), std::string::npos) << done.out;
     EXPECT_NE(done.out.find("1.2     150    1.1 to 1.9"), std::string::npos) << done.out;
     EXPECT_EQ(claque({"plot", path("doors.json"), "--out", path("doors.svg")}).code, 0);
 }
