@@ -1,6 +1,10 @@
 #include "samples/stage/ground.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
+
+#include "samples/stage/arrivals.h"
 
 namespace staged
 {
@@ -12,7 +16,7 @@ clq_prism prism_of(const scenes::Outline &outline, double low_m, double high_m)
     return {static_cast<uint32_t>(outline.size() / 2), outline.data(), low_m, high_m};
 }
 
-// Of a door whose number the library's sentence begins with, its place is named.
+// Names the line of the door whose number the library's sentence begins with.
 [[noreturn]] void refuse_ground(const scenes::Staging &stage, const std::string &text)
 {
     unsigned door = 0;
@@ -23,7 +27,7 @@ clq_prism prism_of(const scenes::Outline &outline, double low_m, double high_m)
 
 void expect_exits_on_ground(const clq_navigation *navigation, const scenes::Staging &stage)
 {
-    constexpr double reach_m = 2;  // of a way's end
+    constexpr double reach_m = 2;  // from the end of a way
     for (const scenes::ScenarioAgents &agents : stage.agents)
         for (const size_t exit : agents.exits) {
             const scenes::Place &place = stage.places[exit];
@@ -34,7 +38,36 @@ void expect_exits_on_ground(const clq_navigation *navigation, const scenes::Stag
         }
 }
 
+void expect_agents_on_ground(const Setting &setting, const clq_navigation *navigation, const scenes::Staging &stage)
+{
+    constexpr uint32_t tries = 10000;
+    const IsFree is_free = [](const std::array<double, 3> &, double) { return true; };
+    for (const scenes::ScenarioAgents &agents : stage.agents) {
+        const OnGround on_ground = [&](std::array<double, 3> &place) {
+            return put_on_ground(setting, navigation, agents, place);
+        };
+        Spot spot;
+        uint32_t attempt = 0;
+        while (attempt < tries && !find_spot(stage, agents, 1, attempt, on_ground, is_free, spot)) ++attempt;
+        if (attempt == tries)
+            throw scenes::Failure(agents.at + ": there is no ground where these agents appear (x is east, z is south)");
+    }
+}
+
 }  // namespace
+
+bool put_on_ground(const Setting &setting, const clq_navigation *navigation, const scenes::ScenarioAgents &agents,
+                   std::array<double, 3> &place)
+{
+    if (agents.from.empty()) place[1] = setting.height_m(place[0], place[2]);
+    if (!navigation) return true;
+    bool found = false;
+    double at[3];
+    scenes::check(clq_navigation_find_nearest(navigation, place.data(), 1.0, at, &found));
+    if (!found || std::hypot(at[0] - place[0], at[2] - place[2]) > 0.05) return false;
+    std::copy(at, at + 3, place.begin());
+    return true;
+}
 
 OwnNavigation make_navigation(const Setting &setting, const scenes::Staging &stage)
 {
@@ -63,6 +96,7 @@ OwnNavigation make_navigation(const Setting &setting, const scenes::Staging &sta
     if (clq_navigation_create(&def, &made) != CLQ_OK) refuse_ground(stage, clq_last_error());
     OwnNavigation navigation(made);
     expect_exits_on_ground(made, stage);
+    expect_agents_on_ground(setting, made, stage);
     for (uint32_t i = 0; i < stage.doors.size(); ++i)
         scenes::check(clq_navigation_set_door(made, i, stage.doors[i].open));
     return navigation;

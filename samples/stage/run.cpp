@@ -18,9 +18,8 @@ namespace
 
 constexpr uint32_t tries_at_once = 400, tries_in_a_tick = 8;
 
-[[noreturn]] void refuse_crowd(const ScenarioAgents &of, size_t here, bool has_ground)
+[[noreturn]] void refuse_crowd(const ScenarioAgents &of, size_t here)
 {
-    if (!has_ground) throw Failure(of.at + ": no ground is where people appear (x to the east, z to the south)");
     char text[200];
     std::snprintf(text, sizeof text,
                   "there is no room for %u people %g m apart where they appear; %zu people are there", of.count,
@@ -169,17 +168,8 @@ bool Run::let_in(uint32_t person, double due_s)
 {
     const ScenarioAgents &of = agents_of(person);
     const Person &one = people_.all()[person];
-    bool has_ground = false;
     const OnGround on_ground = [&](std::array<double, 3> &point) {
-        if (of.from.empty()) point[1] = setting_.height_m(point[0], point[2]);
-        if (!navigation_) return has_ground = true;
-        bool found = false;
-        double at[3];
-        check(clq_navigation_find_nearest(navigation_.get(), point.data(), 1.0, at, &found));
-        if (!found || std::hypot(at[0] - point[0], at[2] - point[2]) > 0.05) return false;
-        has_ground = true;
-        std::copy(at, at + 3, point.begin());
-        return true;
+        return put_on_ground(setting_, navigation_.get(), of, point);
     };
     const IsFree is_free = [this](const std::array<double, 3> &point, double apart_m) {
         return std::none_of(here_.begin(), here_.end(), [&](uint32_t other) {
@@ -191,10 +181,10 @@ bool Run::let_in(uint32_t person, double due_s)
     const uint32_t tries = at_once ? tries_at_once : tries_in_a_tick;
     Spot spot{};
     bool found = false;
-    for (uint32_t i = 0; i < tries_at_once && !found && (i < tries || !has_ground); ++i)
+    for (uint32_t i = 0; i < tries && !found; ++i)
         found = find_spot(described_, of, one.seed, static_cast<uint32_t>(ticks_) * tries_in_a_tick + i, on_ground,
                           is_free, spot);
-    if (!found && (at_once || !has_ground)) refuse_crowd(of, here_.size(), has_ground);
+    if (!found && at_once) refuse_crowd(of, here_.size());
     if (!found) return false;
     const Machine &machine = machines_.at(of.machine);
     clq_agent_def def = clq_agent_def_init();

@@ -220,7 +220,7 @@ TEST_F(PlayCommand, WarnsWhenTheFollowedPersonIsAbsent)
               std::string::npos);
 }
 
-TEST_F(PlayCommand, WarnsOfTimesAtWhichNobodyIsThere)
+TEST_F(PlayCommand, WarnsOfTimesWithoutPeople)
 {
     const auto at = [&](const char *file, const char *time_s) {
         Words words = {"play", path(file), "--size", "160x120", "--time", time_s, "--out", path("p.png")};
@@ -228,13 +228,14 @@ TEST_F(PlayCommand, WarnsOfTimesAtWhichNobodyIsThere)
             words.insert(words.end(), {"--columns", "id,frame,x,y", "--rate", "10", "--unit", "m"});
         return claque(words).err;
     };
-    EXPECT_NE(at("two.csv", "99").find("people are present from 0 to 10 s: other times show nobody"),
+    EXPECT_NE(at("two.csv", "99").find("the file has people from 0 to 10 s: pictures of other times are empty"),
               std::string::npos);
-    EXPECT_NE(at("two.csv", "-5").find("other times show nobody"), std::string::npos);
+    EXPECT_NE(at("two.csv", "-5").find("pictures of other times are empty"), std::string::npos);
     for (const char *time_s : {"0", "10"}) EXPECT_EQ(at("two.csv", time_s), "") << time_s;
     ASSERT_EQ(play({"--frames", "50:75", "--out", path("f-%d.png"), "--record", path("run.clt")}).code, 0);
-    EXPECT_NE(at("run.clt", "99").find("the record runs from 2 to 3 s: other times show its end"), std::string::npos);
-    EXPECT_NE(at("run.clt", "0").find("other times show its first step"), std::string::npos);
+    EXPECT_NE(at("run.clt", "99").find("the record runs from 2 to 3 s: pictures of other times show its end"),
+              std::string::npos);
+    EXPECT_NE(at("run.clt", "0").find("pictures of other times show its first step"), std::string::npos);
     for (const char *time_s : {"2", "3"}) EXPECT_EQ(at("run.clt", time_s), "") << time_s;
 }
 

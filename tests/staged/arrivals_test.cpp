@@ -59,20 +59,19 @@ TEST(ArrivalsOfARun, TooManyInOnePlaceAreRefused)
     }
 }
 
-TEST(ArrivalsOfARun, OffTheGroundAreRefused)
+TEST(ArrivalsOfARun, OffTheGroundAreRefusedBeforeTheRunBegins)
 {
     for (const double per_minute : {0.0, 60.0}) {
         Scenario scenario = evacuation(1, 20);
         ScenarioAgents &workers = scenario.stage->agents[1];
         for (size_t i = 0; i < workers.outline.size(); i += 2) workers.outline[i] += 500;
         workers.per_minute = per_minute;
-        World world(scenario, 1, false);
         try {
-            world.run().decide(5);
-            FAIL() << per_minute << " people a minute appeared on no ground";
+            World world(scenario, 1, false);
+            FAIL() << per_minute << " people a minute appear on no ground";
         } catch (const Failure &failure) {
             EXPECT_EQ(std::string(failure.what()),
-                      workers.at + ": no ground is where people appear (x to the east, z to the south)");
+                      workers.at + ": there is no ground where these agents appear (x is east, z is south)");
         }
     }
 }

@@ -82,9 +82,11 @@ Columns named_by_caller(const std::string &text)
             is_known = true;
         }
         if (!is_known)
-            fail(CLQ_ARGUMENT,
-                 "--columns (columns) knows id, frame, time, x, y, z and heading, and - for any other, not %s",
-                 in_quotes(names[i]).c_str());
+            fail(
+                CLQ_ARGUMENT,
+                "--columns (columns) has an unknown name %s: id, frame, time, x, y, z and heading are known, - skips a "
+                "column",
+                in_quotes(names[i]).c_str());
     }
     if (!columns.complete() || (columns.frame >= 0 && columns.time >= 0))
         fail(CLQ_ARGUMENT, "--columns (columns) has to name id, x, y, and frame or time: '%.200s'", text.c_str());

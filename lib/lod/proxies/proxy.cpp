@@ -67,14 +67,6 @@ std::vector<const model::Part *> parts_of(const PosedParts &posed)
     return parts;
 }
 
-std::vector<Corners3> corners_of(const PosedParts &parts, const std::vector<uint32_t> &which)
-{
-    std::vector<Corners3> found;
-    found.reserve(which.size());
-    for (const uint32_t t : which) found.push_back(parts.corners(parts.triangles()[t]));
-    return found;
-}
-
 // Sets whose zone points take a quarter of what levels may take at most (docs/levels.md).
 size_t kept_sets(const model::Model &model, const PosedParts &fine)
 {
@@ -105,7 +97,7 @@ ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector
                kept = std::min(sets, static_cast<uint32_t>(kept_sets(model, fine)));
     area_fractions.resize(sets), zone_points.resize(sets);
     jobs.try_each(sets + kept + 1, [&](uint32_t i) {
-        if (i == 0) nearest_visible.emplace(corners_of(fine, visible_triangles));
+        if (i == 0) nearest_visible.emplace(fine.corners(visible_triangles));
         else if (i <= kept) zone_points[i - 1] = zone_points_of(model, fine, set(i - 1));
         else area_fractions[i - 1 - kept] = zone_area_fractions(model, fine, visibility, set(i - 1 - kept));
     });

@@ -22,13 +22,9 @@ const std::array<glm::dvec3, 3> corner_weights = {glm::dvec3(1, 0, 0), glm::dvec
 }  // namespace
 
 struct PartTrees::Tree {
-    Tree(const PosedParts &of, std::vector<uint32_t> which) : triangles(std::move(which)), nearest(corners_of(of)) {}
-    std::vector<Corners3> corners_of(const PosedParts &of) const
+    Tree(const PosedParts &of, std::vector<uint32_t> which)
+        : triangles(std::move(which)), nearest(of.corners(triangles))
     {
-        std::vector<Corners3> corners;
-        corners.reserve(triangles.size());
-        for (const uint32_t t : triangles) corners.push_back(of.corners(of.triangles()[t]));
-        return corners;
     }
     std::vector<uint32_t> triangles;
     NearestPoint nearest;

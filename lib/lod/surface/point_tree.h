@@ -15,7 +15,7 @@ public:
         uint32_t point = 0;
         double distance_squared = 0;
     };
-    // Of several nearest points it returns the first in the tree's order.
+    // The first in the tree's order wins among equally near points.
     Found to(glm::dvec3 p) const;
 
     static constexpr uint64_t bytes_of_point =

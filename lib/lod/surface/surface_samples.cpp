@@ -44,6 +44,14 @@ void PosedParts::pose(const model::Rig &rig, base::Span<const math::Affine> pale
     }
 }
 
+std::vector<std::array<glm::dvec3, 3>> PosedParts::corners(const std::vector<uint32_t> &triangles) const
+{
+    std::vector<std::array<glm::dvec3, 3>> found;
+    found.reserve(triangles.size());
+    for (const uint32_t t : triangles) found.push_back(corners(triangles_[t]));
+    return found;
+}
+
 PosedParts posed_at_rest(const model::Rig &rig, std::vector<const model::Part *> parts)
 {
     PosedParts posed(std::move(parts));

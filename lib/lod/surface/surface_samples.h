@@ -38,6 +38,7 @@ public:
         return {first + t.vertices[0], first + t.vertices[1], first + t.vertices[2]};
     }
     std::array<glm::dvec3, 3> corners(const Triangle &t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
+    std::vector<std::array<glm::dvec3, 3>> corners(const std::vector<uint32_t> &triangles) const;
 
 private:
     std::vector<const model::Part *> parts_;

@@ -90,7 +90,7 @@ void Walkers::press_on_by_rank()
         if (!scratch_.pushes[i].listed && bodies_[i].held_up_s >= waits_s) press_on(i);
 }
 
-// To those that it waits behind.
+// Walkers ahead inherit the rank of a walker that waits behind them.
 void Walkers::pass_rank_on(uint32_t i)
 {
     const Wish &wish = scratch_.wishes[i];
@@ -128,7 +128,7 @@ bool Walkers::is_narrow(uint32_t i, Flat towards, float reach) const
     return false;
 }
 
-// Where it and walkers of another direction wait for each other.
+// Walker i goes on against walkers of another direction, and they go back.
 void Walkers::press_on(uint32_t i)
 {
     scratch_.pushed.clear();

@@ -22,7 +22,7 @@ struct FreeTrack {
 using HeldTrack = std::unique_ptr<clq_track, FreeTrack>;
 
 constexpr float still_m_s = 0.05f;  // a walker that is slower stands
-// After so long one of two who hold each other up goes first: in a narrow place, and anywhere.
+// Waits after which one of two blocked walkers goes first: in a narrow place, and anywhere.
 constexpr float waits_s = 1, waits_long_s = 4;
 constexpr float turned_shoulders = 0.85f;  // share of its radius that a walker takes with its shoulders turned
 constexpr double min_piece_s = 0.0999;     // a little less than claque/track.h wants

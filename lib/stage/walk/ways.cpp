@@ -39,7 +39,7 @@ void find_doors(size_t count, Mesh &out)
     }
     for (size_t i = 0; i < count; ++i)
         if (out.doors[i].polygons.empty())
-            fail(CLQ_ARGUMENT, "door %zu lies on no ground: people walk no nearer to walls than radius_m", i);
+            fail(CLQ_ARGUMENT, "door %zu lies on no ground: walkable ground begins radius_m away from walls", i);
 }
 
 unsigned short flags_of(const Mesh &mesh, dtPolyRef polygon)

@@ -153,8 +153,8 @@ private:
         const double start_s = file_.info.start_s, end_s = file_.info.end_s;
         if (time_s >= start_s - around_s && time_s <= end_s + around_s) return;
         char text[120];
-        std::snprintf(text, sizeof text, "the record runs from %.6g to %.6g s: other times show its %s", start_s, end_s,
-                      time_s < start_s ? "first step" : "end");
+        std::snprintf(text, sizeof text, "the record runs from %.6g to %.6g s: pictures of other times show its %s",
+                      start_s, end_s, time_s < start_s ? "first step" : "end");
         clq_context_log(library_.context(), CLQ_LOG_WARNING, text);
     }
 

@@ -234,7 +234,8 @@ private:
         const double end_s = plan_.end_s - plan_.start_s;
         if (time_s >= -around_s && time_s <= end_s + around_s) return;
         char text[100];
-        std::snprintf(text, sizeof text, "people are present from 0 to %.6g s: other times show nobody", end_s);
+        std::snprintf(text, sizeof text, "the file has people from 0 to %.6g s: pictures of other times are empty",
+                      end_s);
         clq_context_log(library_.context(), CLQ_LOG_WARNING, text);
     }
 

@@ -52,9 +52,10 @@ TEST(TrajectoryRefusals, ColumnsThatDoNotMakeATableAreNamed)
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "has to name id, x, y, and frame or time: 'id,x,y'", of_table("id,x,y"));
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "has to name id, x, y, and frame or time", of_table("id,x,y,frame,time"));
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "names x twice", of_table("id,frame,x,x,y"));
-    expect_refused("1 2 3 4 5\n", CLQ_ARGUMENT, "z and heading, and - for any other, not 'head'",
+    expect_refused("1 2 3 4 5\n", CLQ_ARGUMENT,
+                   "unknown name 'head': id, frame, time, x, y, z and heading are known, - skips a column",
                    of_table("id,frame,x,y,head"));
-    expect_refused("1 2 3 4 5\n", CLQ_ARGUMENT, "not ''", of_table("id,frame,x,y,"));
+    expect_refused("1 2 3 4 5\n", CLQ_ARGUMENT, "unknown name ''", of_table("id,frame,x,y,"));
     asset::TrajectoryOptions options;
     options.format = CLQ_TRAJECTORY_TABLE;
     expect_refused("1 2 3\n", CLQ_ARGUMENT, "give --columns id,frame,x,y (columns)", options);
