@@ -94,8 +94,8 @@ Candidate finest_of(const Source &source)
 }
 
 // Decimated levels as coarse as seams allow.
-std::vector<Decimated> decimated(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
-                                 const ChainOptions &options)
+std::vector<Candidate> near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
+                                   const ChainOptions &options, const base::Jobs &jobs)
 {
     if (targets.empty()) return {};
     DecimationOptions decimation = options.decimation;
@@ -103,35 +103,33 @@ std::vector<Decimated> decimated(const model::Model &model, const Source &source
     const std::vector<std::vector<glm::vec3>> rest = rest_positions(model.rig, source.parts);
     std::vector<SourcePart> pieces;
     for (size_t i = 0; i < source.parts.size(); ++i) pieces.push_back({source.parts[i], &rest[i]});
-    return options.quadric_only ? decimate_quadric_only(pieces, targets) : decimate(pieces, decimation);
+    std::vector<Decimated> levels =
+        options.quadric_only ? decimate_quadric_only(pieces, targets) : decimate(pieces, decimation);
+    std::vector<Candidate> made(levels.size());
+    jobs.try_each(static_cast<uint32_t>(made.size()), [&](uint32_t k) {
+        made[k].target = targets[k], made[k].parts = std::move(levels[k].parts);
+        made[k].level.triangles = levels[k].triangles, made[k].level.flipped = levels[k].flipped;
+        made[k].level.zone_area_error =
+            zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(made[k].parts)));
+    });
+    return made;
 }
 
 // Adds decimated levels to `made`; where proxies follow, none that fails. Returns the targets after the last that does
 // not fail, which proxies take over; none without proxies. A target fails if seams and borders keep decimation from
 // reaching it or if the zone area error is too large.
-std::vector<size_t> add_near_levels(const model::Model &model, const Source &source, const std::vector<size_t> &targets,
-                                    std::vector<Decimated> levels, const base::Jobs &jobs, bool has_proxies,
+std::vector<size_t> add_near_levels(const std::vector<size_t> &targets, std::vector<Candidate> levels, bool has_proxies,
                                     std::vector<Candidate> &made)
 {
-    std::vector<double> zone_area_errors(levels.size());
-    jobs.try_each(static_cast<uint32_t>(levels.size()), [&](uint32_t k) {
-        zone_area_errors[k] =
-            zone_area_error(source.area_fractions, zone_area_fractions(model, pointers(levels[k].parts)));
-    });
-    size_t end = 0;  // of those that proxies do not take over
-    for (size_t k = 0; k < levels.size(); ++k) {
-        const bool fails = zone_area_errors[k] > max_zone_area_error || levels[k].triangles * 20 > targets[k] * 21;
-        if (has_proxies && fails) continue;
-        end = k + 1;
-        if (levels[k].triangles >= triangle_count_of(made.back())) continue;
-        Candidate next;
-        next.target = targets[k], next.level.flipped = levels[k].flipped;
-        next.level.zone_area_error = zone_area_errors[k];
-        next.parts = std::move(levels[k].parts);
-        made.push_back(std::move(next));
+    std::vector<size_t> missed = targets;
+    for (Candidate &one : levels) {
+        const LevelReport &level = one.level;
+        const bool fits = level.zone_area_error <= max_zone_area_error && level.triangles * 20 <= one.target * 21;
+        if (has_proxies && !fits) continue;
+        missed.erase(missed.begin(), std::find(missed.begin(), missed.end(), one.target) + 1);
+        if (level.triangles < triangle_count_of(made.back())) made.push_back(std::move(one));
     }
-    if (!has_proxies) return {};
-    return {targets.begin() + static_cast<ptrdiff_t>(end), targets.end()};
+    return has_proxies ? missed : std::vector<size_t>();
 }
 
 void measure(const model::Model &model, const Source &source, const ChainOptions &options, std::vector<Candidate> &made)
@@ -211,7 +209,8 @@ void bake(model::Model &model, Source &source, const ChainOptions &options, std:
         const TextureLooks *looks = by_zones ? nullptr : &source.looks;
         compare_textures(model, from.fine, source.visibility, proxies[i]->parts, looks, options.metres_per_unit,
                          level.deviation);
-        const std::vector<double> fractions = zone_area_fractions(model, pointers(proxies[i]->parts));
+        const std::vector<double> fractions =
+            zone_area_fractions(model, from.at_rest(proxies[i]->parts[0]), baked.visibility[i]);
         level.zone_area_error = zone_area_error(source.area_fractions, fractions);
         if (level.triangles <= max_clean_triangles) level.zone_view_error = from.views.error(proxies[i]->parts[0]);
         const double tolerance = proxies[i]->zone_tolerance;
@@ -269,12 +268,14 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
     next.texture_sets = model.texture_sets, next.source_bytes = model::source_bytes(model);
 
     // The two kinds of level do not depend on each other, and making either is a chain of steps.
-    std::vector<Decimated> near;
+    std::vector<Candidate> near;
     std::vector<model::Part> meshes;
-    options.jobs.try_each(has_proxies ? 2 : 1, [&](uint32_t i) {
-        if (i == 0) near = decimated(next, source, near_targets, options);
-        else meshes = proxy_meshes(next, source.parts, {targets, options.decimation.influence});
-    });
+    const auto make_kind = [&](uint32_t kind) {
+        if (kind == 1) meshes = proxy_meshes(next, source.parts, {targets, options.decimation.influence});
+        else near = near_levels(next, source, near_targets, options, has_proxies ? base::Jobs() : options.jobs);
+    };
+    if (has_proxies) options.jobs.try_each(2, make_kind);
+    else make_kind(0);
     std::map<size_t, Candidate> proxies;
     for (size_t i = 0; i < meshes.size(); ++i) {
         Candidate &proxy = proxies[targets[i]];
@@ -282,8 +283,7 @@ std::vector<LevelReport> make_chain(model::Model &model, const ChainOptions &opt
         proxy.parts.push_back(std::move(meshes[i]));
     }
     std::vector<Candidate> made = {finest_of(source)};
-    std::vector<size_t> missed =
-        add_near_levels(next, source, near_targets, std::move(near), options.jobs, has_proxies, made);
+    std::vector<size_t> missed = add_near_levels(near_targets, std::move(near), has_proxies, made);
     while (!missed.empty() && missed.back() <= options.proxy_max_triangles) missed.pop_back();
     proxy_targets.insert(proxy_targets.begin(), missed.begin(), missed.end());
     choose(next, source, options, proxy_targets, proxies, made);

@@ -121,9 +121,13 @@ ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> mes
     std::vector<std::vector<model::Image>> charts(proxies.parts.size());
     std::vector<SwatchZones> chosen(swatch_parts.size());
     const uint32_t count = static_cast<uint32_t>(charts.size()), few = static_cast<uint32_t>(chosen.size());
+    proxies.visibility.resize(count + few);
     jobs.try_each(few + count, [&](uint32_t i) {
-        if (i < few) chosen[i] = swatch_zones_of(source, swatch_parts[i], swatch_tolerances[i]);
-        else charts[i - few] = bake_charts(source, proxies.parts[i - few]);
+        model::Part &part = i < few ? swatch_parts[i] : proxies.parts[i - few];
+        std::vector<double> &visibility = proxies.visibility[i < few ? count + i : i - few];
+        visibility = visibility_of(source.model, source.at_rest(part));
+        if (i < few) chosen[i] = swatch_zones_of(source, part, swatch_tolerances[i]);
+        else charts[i - few] = bake_charts(source, part, visibility);
     });
     for (uint32_t i = 0; i < count; ++i)
         proxies.parts[i].material = add_material(source, std::move(charts[i]), proxies);

@@ -63,6 +63,7 @@ struct ProxySource {
 struct ProxyLevels {
     // One for each target, finest first; material indices are valid after add_to_model()
     std::vector<model::Part> parts;
+    std::vector<std::vector<double>> visibility;    // [parts][triangles] at rest (visibility.h)
     std::vector<model::Material> materials;         // image indices likewise
     std::vector<model::Image> images;               // with the zone keys below
     std::vector<std::vector<uint32_t>> set_images;  // [texture sets of the model][materials]

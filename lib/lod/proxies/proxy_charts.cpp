@@ -9,7 +9,6 @@
 #include "lib/lod/proxies/proxy_balance.h"
 #include "lib/lod/proxies/proxy_image.h"
 #include "lib/lod/surface/nearest.h"
-#include "lib/lod/surface/visibility.h"
 #include "lib/model/model_size.h"
 
 namespace claque::lod
@@ -134,9 +133,8 @@ ProxyTexel proxy_texel(const ProxySource &source, const model::TextureSet *set, 
 }
 
 // Returns the fraction of the level's visible area that each texel covers.
-std::vector<double> areas_of(const model::Model &model, const PosedParts &level, const Atlas &atlas)
+std::vector<double> areas_of(const PosedParts &level, const std::vector<double> &visibility, const Atlas &atlas)
 {
-    const std::vector<double> visibility = visibility_of(model, level);
     std::vector<double> areas(size_t(atlas.width) * atlas.height, 0);
     double all = 0;
     for (const SurfaceSample &sample : sample_surface(level, surface_sample_count)) {
@@ -163,12 +161,13 @@ uint32_t texels_for(const model::Model &model, size_t triangles)
 
 }  // namespace
 
-std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part)
+std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part,
+                                      const std::vector<double> &visibility)
 {
     const PosedParts level = source.at_rest(part);
     const Atlas atlas = build_atlas(level, texels_for(source.model, level.triangles().size()));
     const std::vector<TexelSamples> texels = SourceSampler(source, level, atlas).run();
-    const std::vector<double> areas = areas_of(source.model, level, atlas);
+    const std::vector<double> areas = areas_of(level, visibility, atlas);
     std::vector<model::Image> images;
     for (size_t set = 0; set < source.set_count(); ++set) {
         std::vector<ProxyTexel> shown;

@@ -18,7 +18,8 @@ void split_by_uv(model::Part &part, const std::vector<glm::vec2> &corners);
 std::vector<model::Image> bake_swatches(const ProxySource &source, const std::vector<SwatchZones> &chosen,
                                         std::vector<model::Part> &parts);
 
-// Bakes one part whose texels show the nearest points of the source.
-std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part);
+// Bakes one part whose texels show the nearest points of the source. `visibility`: [triangles of part] (visibility.h).
+std::vector<model::Image> bake_charts(const ProxySource &source, model::Part &part,
+                                      const std::vector<double> &visibility);
 
 }  // namespace claque::lod

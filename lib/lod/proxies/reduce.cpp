@@ -172,11 +172,12 @@ private:
         for (size_t k = 0; k < 3; ++k) out[k] = t[k] == edge.first || t[k] == edge.second ? position : at(t[k]);
         return out;
     }
-    std::vector<PrecomputedTriangle> after(const Star &star, Edge edge, glm::dvec3 position) const
+    FewTriangles after(const Star &star, Edge edge, glm::dvec3 position) const
     {
-        std::vector<PrecomputedTriangle> out;
-        for (const Triangle &t : star.after) out.emplace_back(corners(t, edge, position));
-        return out;
+        std::vector<NearestPoint::Triangle> out;
+        out.reserve(star.after.size());
+        for (const Triangle &t : star.after) out.push_back(corners(t, edge, position));
+        return FewTriangles(out);
     }
     bool flips(Edge edge, glm::dvec3 position, const Star &star) const
     {
@@ -192,13 +193,13 @@ private:
     double cost_of(Edge edge, glm::dvec3 position, const Star &star, double maximum) const
     {
         if (flips(edge, position, star)) return illegal_cost;
-        const std::vector<PrecomputedTriangle> next = after(star, edge, position);
+        const FewTriangles next = after(star, edge, position);
         double sum = 0;
         for (const uint32_t s : star.samples) {
-            sum += fine_.samples()[s].area * nearest_of(next, fine_.samples()[s].at).distance_squared;
+            sum += fine_.samples()[s].area * next.to(fine_.samples()[s].at).distance_squared;
             if (sum >= maximum) return illegal_cost;
         }
-        for (const PrecomputedTriangle &t : next) {
+        for (const PrecomputedTriangle &t : next.triangles()) {
             if (sum >= maximum) return illegal_cost;
             sum += distance_cost(t.corners, star.guess);
         }
@@ -208,17 +209,17 @@ private:
     // Returns the least-squares position of the merged vertex for the samples of its triangles.
     glm::dvec3 least_squares_position(Edge edge, glm::dvec3 position, const Star &star) const
     {
-        const std::vector<PrecomputedTriangle> next = after(star, edge, position);
+        const FewTriangles next = after(star, edge, position);
         glm::dvec3 sum(0);
         double all = 0;
         for (const uint32_t s : star.samples) {
             const FineSurface::Sample &sample = fine_.samples()[s];
-            const NearestPoint::Found nearest = nearest_of(next, sample.at);
+            const NearestPoint::Found nearest = next.to(sample.at);
             const Triangle &t = star.after[nearest.triangle];
             int k = 0;
             while (k < 3 && t[size_t(k)] != edge.first) ++k;
             const double weight = k < 3 ? nearest.weights[k] : 0;
-            const glm::dvec3 off = sample.at - point_on(next[nearest.triangle].corners, nearest.weights);
+            const glm::dvec3 off = sample.at - point_on(next.triangles()[nearest.triangle].corners, nearest.weights);
             sum += sample.area * weight * (off + weight * position);
             all += sample.area * weight * weight;
         }
@@ -245,13 +246,13 @@ private:
             next.surface.triangles.push_back(triangle), back.push_back(distance_costs_[t]);
         }
         const size_t stay = back.size();
-        const std::vector<PrecomputedTriangle> moved = after(star, edge, position);
-        for (size_t i = 0; i < moved.size(); ++i)
+        const FewTriangles moved = after(star, edge, position);
+        for (size_t i = 0; i < star.after.size(); ++i)
             next.surface.triangles.push_back(star.after[i]),
-                back.push_back(distance_cost(moved[i].corners, star.guess));
+                back.push_back(distance_cost(moved.triangles()[i].corners, star.guess));
         for (uint32_t &t : nearest_triangles_) t = renamed[t];
         for (const uint32_t s : star.samples) {
-            const NearestPoint::Found nearest = nearest_of(moved, fine_.samples()[s].at);
+            const NearestPoint::Found nearest = moved.to(fine_.samples()[s].at);
             nearest_triangles_[s] = static_cast<uint32_t>(stay + nearest.triangle),
             distances_[s] = nearest.distance_squared;
         }

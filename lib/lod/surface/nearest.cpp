@@ -17,8 +17,55 @@ namespace
 
 // A bound far above the error of coordinates of at most 1 after a few float operations.
 constexpr double float_error = 2e-6;
+constexpr uint32_t no_index = 0xffffffff;
+
+// A search in progress: triangles whose distance in floats is above `limit` are skipped, the others are measured in
+// doubles.
+struct Search {
+    Search(glm::dvec3 p, const FloatFrame &frame) : point(p), scale(frame.scale)
+    {
+        const glm::dvec3 here = scale * (p - frame.centre), away = glm::abs(here);
+        at = splat(here), error = float_error * (1 + std::max({away.x, away.y, away.z}));
+    }
+    void try_triangle(const PrecomputedTriangle &t, uint32_t index)
+    {
+        const glm::dvec3 w = t.nearest(point), off = point_on(t.corners, w) - point;
+        const double square = glm::dot(off, off);
+        if (!(square < least || (square == least && index < best))) return;
+        best = index, weights = w, least = square;
+        const double reach = (1 + 1e-5) * scale * std::sqrt(square) + error;
+        limit = static_cast<float>(std::min(reach * reach * (1 + 1e-6), 3e38));
+    }
+    // Tries those of a block; `begin`: the index of its first triangle, which is `triangles[begin]`.
+    void try_block(const TriangleBlock &block, const std::vector<PrecomputedTriangle> &triangles, uint32_t begin,
+                   uint32_t end, uint32_t tried = no_index)
+    {
+        const math::F4 squares = block.distances_squared(at, math::splat(float(error)));
+        for (uint32_t i = begin; i < end; ++i)
+            if (squares[i - begin] <= limit && i != tried) try_triangle(triangles[i], i);
+    }
+    // Where the point is too far away for floats.
+    void try_all(const std::vector<PrecomputedTriangle> &triangles)
+    {
+        for (uint32_t i = 0; i < triangles.size(); ++i) try_triangle(triangles[i], i);
+    }
+
+    glm::dvec3 point;
+    double scale, error = 0;
+    Four3 at{};
+    uint32_t best = no_index;
+    glm::dvec3 weights = glm::dvec3(0);
+    double least = std::numeric_limits<double>::infinity();
+    float limit = 3e38f;
+};
 
 }  // namespace
+
+FloatFrame::FloatFrame(glm::dvec3 min, glm::dvec3 max) : centre(0.5 * (min + max))
+{
+    const glm::dvec3 half = max - centre;
+    scale = 1 / std::max({half.x, half.y, half.z, 1e-150});
+}
 
 PrecomputedTriangle::PrecomputedTriangle(const Corners3 &t)
     : corners(t),
@@ -54,8 +101,9 @@ glm::dvec3 PrecomputedTriangle::nearest(glm::dvec3 p) const
     return best;
 }
 
-TriangleBlock::TriangleBlock(const PrecomputedTriangle *triangles, size_t count, glm::dvec3 origin, double scale)
+TriangleBlock::TriangleBlock(const PrecomputedTriangle *triangles, size_t count, const FloatFrame &frame)
 {
+    const double scale = frame.scale;
     for (size_t lane = 0; lane < 4; ++lane) {
         const PrecomputedTriangle &t = triangles[std::min(lane, count - 1)];
         const double longest = std::max({t.squares[0], t.squares[1], t.squares[2]});
@@ -66,7 +114,7 @@ TriangleBlock::TriangleBlock(const PrecomputedTriangle *triangles, size_t count,
         for (size_t k = 0; k < 3; ++k) {
             const glm::dvec3 edge = scale * t.edges[k];
             const double length = glm::length(edge);
-            set(corners_[k], lane, scale * (t.corners[k] - origin)), set(edges_[k], lane, edge);
+            set(corners_[k], lane, scale * (t.corners[k] - frame.centre)), set(edges_[k], lane, edge);
             set(inward_[k], lane, length > 0 ? glm::cross(normal, edge) / length : glm::dvec3(0));
             inverse_squares_[k][lane] = static_cast<float>(1 / std::max(length * length, 1e-30));
         }
@@ -98,9 +146,7 @@ NearestPoint::NearestPoint(const std::vector<Triangle> &triangles) : slots_(tria
         slots_[t] = static_cast<uint32_t>(triangles_.size());
         triangles_.emplace_back(triangles[t]);
     }
-    centre_ = 0.5 * (tree.boxes[0].min + tree.boxes[0].max);
-    const glm::dvec3 half = tree.boxes[0].max - centre_;
-    scale_ = 1 / std::max({half.x, half.y, half.z, 1e-150});
+    frame_ = {tree.boxes[0].min, tree.boxes[0].max};
     leaves_.reserve((tree.boxes.size() + 1) / 2), nodes_.reserve(tree.boxes.size() / 2);
     root_ = add(tree, 0);
 }
@@ -109,7 +155,7 @@ uint32_t NearestPoint::add(const AabbTree &tree, uint32_t box)
 {
     const AabbTree::Box &from = tree.boxes[box];
     if (!from.left) {
-        leaves_.push_back({{&triangles_[from.begin], from.end - from.begin, centre_, scale_}, from.begin, from.end});
+        leaves_.push_back({{&triangles_[from.begin], from.end - from.begin, frame_}, from.begin, from.end});
         return static_cast<uint32_t>(leaves_.size() - 1) | leaf_bit;
     }
     const auto [children, count] = tree.below(from);
@@ -117,35 +163,20 @@ uint32_t NearestPoint::add(const AabbTree &tree, uint32_t box)
     nodes_.emplace_back();
     for (size_t i = 0; i < 4; ++i) {
         const AabbTree::Box &of = tree.boxes[children[std::min(i, count - 1)]];
-        set(nodes_[at].min, i, scale_ * (of.min - centre_)), set(nodes_[at].max, i, scale_ * (of.max - centre_));
+        set(nodes_[at].min, i, frame_.scale * (of.min - frame_.centre));
+        set(nodes_[at].max, i, frame_.scale * (of.max - frame_.centre));
         const uint32_t child = i < count ? add(tree, children[i]) : none;
         nodes_[at].child[i] = child;
     }
     return static_cast<uint32_t>(at);
 }
 
-// Boxes and triangles whose distance in floats is above `limit` are skipped; the others are measured in doubles.
+// Boxes are skipped as triangles are.
 NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
 {
-    const glm::dvec3 here = scale_ * (p - centre_), away = glm::abs(here);
-    const double error = float_error * (1 + std::max({away.x, away.y, away.z}));
-    const Four3 at = splat(here);
-    const math::F4 rounded = math::splat(float(error));
-    uint32_t best = none;
-    glm::dvec3 weights(0);
-    double least = std::numeric_limits<double>::infinity();
-    float limit = 3e38f;
-    const auto try_triangle = [&](uint32_t slot) {
-        const PrecomputedTriangle &t = triangles_[slot];
-        const glm::dvec3 w = t.nearest(p), off = point_on(t.corners, w) - p;
-        const double square = glm::dot(off, off);
-        if (!(square < least || (square == least && slot < best))) return;
-        best = slot, weights = w, least = square;
-        const double reach = (1 + 1e-5) * scale_ * std::sqrt(square) + error;
-        limit = static_cast<float>(std::min(reach * reach * (1 + 1e-6), 3e38));
-    };
-    const uint32_t tried = guess < slots_.size() ? slots_[guess] : none;
-    if (tried != none) try_triangle(tried);
+    Search search(p, frame_);
+    const uint32_t tried = guess < slots_.size() ? slots_[guess] : no_index;
+    if (tried != no_index) search.try_triangle(triangles_[tried], tried);
     struct Open {
         uint32_t node;
         float square;
@@ -155,42 +186,53 @@ NearestPoint::Found NearestPoint::to(glm::dvec3 p, uint32_t guess) const
     open[count++] = {root_, 0};
     while (count) {
         const Open next = open[--count];
-        if (next.square > limit) continue;
+        if (next.square > search.limit) continue;
         if (next.node & leaf_bit) {
             const Leaf &leaf = leaves_[next.node & ~leaf_bit];
-            const math::F4 squares = leaf.block.distances_squared(at, rounded);
-            for (uint32_t i = leaf.begin; i < leaf.end; ++i)
-                if (squares[i - leaf.begin] <= limit && i != tried) try_triangle(i);
+            search.try_block(leaf.block, triangles_, leaf.begin, leaf.end, tried);
             continue;
         }
         const Node &node = nodes_[next.node];
         math::F4 squares = math::splat(0);
         for (size_t k = 0; k < 3; ++k) {
-            const math::F4 outside = larger(larger(node.min[k] - at[k], at[k] - node.max[k]), math::splat(0));
+            const math::F4 outside =
+                larger(larger(node.min[k] - search.at[k], search.at[k] - node.max[k]), math::splat(0));
             squares += outside * outside;
         }
         const size_t first = count;  // the nearest goes on top
         for (size_t i = 0; i < 4; ++i) {
-            if (node.child[i] == none || squares[i] > limit) continue;
+            if (node.child[i] == none || squares[i] > search.limit) continue;
             size_t k = count++;
             for (; k > first && open[k - 1].square < squares[i]; --k) open[k] = open[k - 1];
             open[k] = {node.child[i], squares[i]};
         }
     }
-    for (uint32_t i = 0; best == none && i < triangles_.size(); ++i) try_triangle(i);  // too far away for floats
-    return {order_[best], weights, least};
+    if (search.best == no_index) search.try_all(triangles_);
+    return {order_[search.best], search.weights, search.least};
 }
 
-NearestPoint::Found nearest_of(const std::vector<PrecomputedTriangle> &triangles, glm::dvec3 p)
+FewTriangles::FewTriangles(const std::vector<Corners3> &triangles)
 {
-    NearestPoint::Found best;
-    best.distance_squared = std::numeric_limits<double>::infinity();
-    for (uint32_t t = 0; t < triangles.size(); ++t) {
-        const glm::dvec3 weights = triangles[t].nearest(p), off = p - point_on(triangles[t].corners, weights);
-        const double square = glm::dot(off, off);
-        if (square < best.distance_squared) best = {t, weights, square};
+    if (triangles.empty()) return;
+    glm::dvec3 min = triangles[0][0], max = min;
+    triangles_.reserve(triangles.size()), blocks_.reserve((triangles.size() + 3) / 4);
+    for (const Corners3 &t : triangles) {
+        for (const glm::dvec3 corner : t) min = glm::min(min, corner), max = glm::max(max, corner);
+        triangles_.emplace_back(t);
     }
-    return best;
+    frame_ = {min, max};
+    for (size_t i = 0; i < triangles_.size(); i += 4)
+        blocks_.emplace_back(&triangles_[i], std::min<size_t>(4, triangles_.size() - i), frame_);
+}
+
+NearestPoint::Found FewTriangles::to(glm::dvec3 p) const
+{
+    Search search(p, frame_);
+    const auto count = static_cast<uint32_t>(triangles_.size());
+    for (uint32_t begin = 0; begin < count; begin += 4)
+        search.try_block(blocks_[begin / 4], triangles_, begin, std::min(begin + 4, count));
+    if (search.best == no_index) search.try_all(triangles_);
+    return {search.best == no_index ? 0 : search.best, search.weights, search.least};
 }
 
 }  // namespace claque::lod

@@ -19,12 +19,19 @@ struct PrecomputedTriangle {
     double square;  // of the normal's length
 };
 
+// The coordinates of floats: relative to the centre of all triangles, and at most 1 in size after multiplication.
+struct FloatFrame {
+    FloatFrame() = default;
+    FloatFrame(glm::dvec3 min, glm::dvec3 max);  // of all triangles
+    glm::dvec3 centre = glm::dvec3(0);
+    double scale = 1;
+};
+
 // Four triangles as floats. Rounding makes a distance too large by a known bound at most.
 class TriangleBlock
 {
 public:
-    // 1 to 4 triangles; coordinates are relative to `origin`, times `scale`.
-    TriangleBlock(const PrecomputedTriangle *triangles, size_t count, glm::dvec3 origin, double scale);
+    TriangleBlock(const PrecomputedTriangle *triangles, size_t count, const FloatFrame &frame);  // 1 to 4 triangles
     // Returns the squared distances of `p`. `rounding`: the largest error that a coordinate may have; no distance is
     // too large by more than that. Lanes without a triangle repeat the last one.
     math::F4 distances_squared(const std::array<math::F4, 3> &p, math::F4 rounding) const;
@@ -69,13 +76,24 @@ private:
     std::vector<uint32_t> order_, slots_;         // from triangles_ to the given ones, and back
     std::vector<Node> nodes_;
     std::vector<Leaf> leaves_;
-    glm::dvec3 centre_ = glm::dvec3(0);  // of all; coordinates of nodes and leaves are relative to it,
-    double scale_ = 1;                   // and at most 1 in size after multiplication by this
+    FloatFrame frame_;  // of nodes and leaves
     uint32_t root_ = 0;
 };
 
-// The same by brute force for a few triangles; of none, infinitely far.
-NearestPoint::Found nearest_of(const std::vector<PrecomputedTriangle> &triangles, glm::dvec3 p);
+// The same for a few triangles, without a tree.
+class FewTriangles
+{
+public:
+    explicit FewTriangles(const std::vector<Corners3> &triangles);  // may be none
+    // Of several nearest triangles it returns the first; of none, an infinite distance.
+    NearestPoint::Found to(glm::dvec3 p) const;
+    const std::vector<PrecomputedTriangle> &triangles() const { return triangles_; }
+
+private:
+    std::vector<PrecomputedTriangle> triangles_;
+    FloatFrame frame_;
+    std::vector<TriangleBlock> blocks_;
+};
 
 // Returns the weights of the corners of `t` at its point nearest to p.
 inline glm::dvec3 nearest_on(const Corners3 &t, glm::dvec3 p) { return PrecomputedTriangle(t).nearest(p); }

@@ -107,6 +107,32 @@ TEST(NearestPoint, IsFoundFromTooFarAwayForFloats)
     EXPECT_NEAR(nearest.to(glm::dvec3(1e30, 0, 0)).distance_squared / 1e60, 1, 1e-9);
 }
 
+// With needles, lines and points among them, from near by and far away.
+TEST(FewTriangles, FindTheFirstOfTheNearest)
+{
+    for (const size_t count : {1u, 4u, 5u, 23u}) {
+        auto triangles = triangles_in_a_box(glm::dvec3(0), 1);
+        triangles.resize(count);
+        const lod::FewTriangles few(triangles);
+        for (uint64_t i = 0; i < 300; ++i) {
+            const double far = i % 10 == 0 ? 1e30 : i % 10 == 1 ? 1000 : 1.5;
+            const glm::dvec3 on = lod::point_on(triangles[i % count], {0.25, 0.25, 0.5});
+            const glm::dvec3 p = i % 3 ? far * somewhere(9000 + i) - glm::dvec3(0.25) : on;
+            uint32_t first = 0;
+            double best = HUGE_VAL;
+            for (uint32_t t = 0; t < count; ++t) {
+                const glm::dvec3 off = lod::point_on(triangles[t], lod::nearest_on(triangles[t], p)) - p;
+                if (glm::dot(off, off) < best) best = glm::dot(off, off), first = t;
+            }
+            const lod::NearestPoint::Found found = few.to(p);
+            ASSERT_EQ(found.distance_squared, best) << i << " among " << count;
+            ASSERT_EQ(found.triangle, first) << i << " among " << count;
+            ASSERT_EQ(found.weights, lod::nearest_on(triangles[first], p));
+        }
+    }
+    EXPECT_EQ(lod::FewTriangles({}).to(glm::dvec3(0)).distance_squared, HUGE_VAL);
+}
+
 // As a search over triangles without area finds it, also where several points are equally near.
 TEST(PointTree, FindsTheSamePointAsATreeOfTriangles)
 {
