@@ -86,10 +86,10 @@ video: command
 	@mv out/odeon.part.mp4 out/odeon.mp4
 	@ls -l out/odeon.mp4
 
-# Without the long tests: readers counted block by block, pictures of levels, figures and the odeon, pictures by Mesa's
-# reference rasteriser, visibility by rays, the evening, reaches of figures, each allocation and each operation on a
-# file that fails, each kind of file that is none, signals and processes of the command, each widget of the window,
-# changed scenes that parity has to catch, and settings under which bits are the same.
+# Without the long tests: readers counted block by block, parity, packages, pictures of levels, figures and the odeon,
+# pictures by Mesa's reference rasteriser, visibility by rays, the evening, reaches of figures and characters, each
+# allocation and each operation on a file that fails, each kind of file that is none, signals and processes of the
+# command, each widget of the window, and settings under which bits are the same.
 test: LONG_TESTS = OFF
 test: build
 	ctest --preset $(PRESET) -j $(JOBS)
