@@ -43,7 +43,7 @@ command  libsdl2-dev           | the window of claque view
 command  libvncserver-dev      | claque view --serve
 all      libopenmpi-dev        | claque under mpirun
 all      openmpi-bin           | claque under mpirun
-all      clang-format          | tests of the format of sources
+all      clang-format          | the format of sources, in make check and make format
 all      libgtest-dev
 all      libbenchmark-dev
 all      xvfb                  | tests that need an X server
@@ -52,6 +52,7 @@ all      libglut-dev           | samples/hosts/glut
 all      libopenscenegraph-dev | samples/hosts/osg
 all      python3-numpy         | tests of the Python module
 all      python3-pytest        | tests of the Python module
+bits     clang
 fuzz     clang                 | fuzzers
 fuzz     libclang-rt-14-dev|libclang-rt-dev | fuzzers
 coverage gcovr
@@ -63,8 +64,8 @@ case $group in
 run) groups=' run ' ;;
 command) groups=' run command ' ;;
 all) groups=' run command all ' ;;
-fuzz | coverage | wheel) groups=" run command all $group " ;;
-*) echo "setup.sh: the groups are run, command, all, fuzz, coverage and wheel" >&2; exit 2 ;;
+bits | fuzz | coverage | wheel) groups=" run command all $group " ;;
+*) echo "setup.sh: the groups are run, command, all, bits, fuzz, coverage and wheel" >&2; exit 2 ;;
 esac
 
 # Without apt's lists no package is offered; those that claque can do without are then not asked for.

@@ -51,6 +51,10 @@ CLQ_API clq_status clq_asset_get_part(const clq_asset *asset, uint32_t part, clq
 CLQ_API clq_status clq_asset_get_node(const clq_asset *asset, uint32_t node, clq_asset_node *out);
 CLQ_API clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_info *out);
 
+/* Returns the name of a morph target of a part, as "targetNames" in the extras of its glTF mesh has it; "" where the
+ * file gives it none, and beyond the last part or target. It lives until the asset changes. Threads: any. GL: none. */
+CLQ_API const char *clq_asset_get_morph_name(const clq_asset *asset, uint32_t part, uint32_t target);
+
 /* Returns a warning of loading as one sentence; "" beyond the last one. Threads: any. GL: none. */
 CLQ_API const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning);
 

@@ -70,8 +70,10 @@ void Materials::read_emission(const Light &light, Material &out, UvUse &use)
     }
     out.lighting.emission = light.emission;
     if (out.image != none && shown.image == none)
-        file_.warn(base::text_of("material '%s' emits one colour over a picture: the picture darkens its emission",
-                                 out.name.c_str()));
+        file_.warn(
+            base::text_of("material '%s' emits one colour over a picture, which darkens it; a base colour "
+                          "without a picture, or KHR_materials_unlit, keeps it",
+                          out.name.c_str()));
 }
 
 // A picture of one colour is a factor; any other would have to be added to what light makes of the base colour.
@@ -88,8 +90,8 @@ void Materials::add_emission_of_pictures(const std::vector<bool> &used, const mo
         if (!image) continue;
         if (!has_one_colour(*image, colour)) {
             file_.warn(
-                base::text_of("material '%s' emits by a picture over a lit colour, which GL 1.1 cannot add: "
-                              "shown without its emission",
+                base::text_of("material '%s' emits by a picture over a lit colour, which GL 1.1 cannot add: shown "
+                              "without its emission; a black base colour, or KHR_materials_unlit, shows it",
                               materials_[index].name.c_str()));
             continue;
         }
@@ -129,7 +131,7 @@ void Materials::name_unseen_looks(const std::vector<bool> &used)
     if (names.empty()) return;
     std::string list;
     for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
-    file_.warn(base::text_of("materials are shown without %.400s", list.c_str()));
+    file_.warn(base::text_of("materials are shown without %.400s: fixed-function light has none", list.c_str()));
 }
 
 void Materials::settle_light(const std::vector<bool> &used, model::Model &model)

@@ -163,6 +163,16 @@ private:
     const JsonView view_, attributes_;
 };
 
+// The names of morph targets, where exporters write them. Other members of extras may be anything.
+void read_target_names(const JsonView &extras, Part &part)
+{
+    if (!extras.is_object()) return;
+    const auto names = extras.object().find("targetNames");
+    if (names == extras.object().end() || !names->is_array()) return;
+    for (size_t i = 0; i < std::min(part.morphs.size(), names->size()); ++i)
+        if ((*names)[i].is_string()) part.morphs[i].name = (*names)[i].get<std::string>();
+}
+
 void read_weights(const JsonView &view, Mesh &mesh)
 {
     const JsonView weights = view["weights"];
@@ -195,6 +205,7 @@ Mesh read_mesh(const JsonView &view, File &file, Materials &materials, bool show
         if (!reader.has_data() && !shown) continue;
         if (!reader.read(primitive)) continue;
         materials.note_variants(primitive.part.material, primitive_view);
+        read_target_names(view["extras"], primitive.part);
         file.budget.charge(bytes_of(primitive.part), primitive_view.path().c_str());
         mesh.primitives.push_back(std::move(primitive));
     }
@@ -206,11 +217,11 @@ Mesh read_mesh(const JsonView &view, File &file, Materials &materials, bool show
 
 uint64_t bytes_of(const Part &part)
 {
-    uint64_t floats = 3 * (part.positions.size() + part.normals.size()) + 2 * part.uvs.size() + part.colours.size() +
-                      part.indices.size() + part.joints.size() + part.weights.size();
+    uint64_t names = 0, floats = 3 * (part.positions.size() + part.normals.size()) + 2 * part.uvs.size() +
+                                 part.colours.size() + part.indices.size() + part.joints.size() + part.weights.size();
     for (const model::MorphTarget &target : part.morphs)
-        floats += 3 * (target.positions.size() + target.normals.size());
-    return sizeof(Part) + part.morphs.size() * sizeof(model::MorphTarget) + 4 * floats;
+        floats += 3 * (target.positions.size() + target.normals.size()), names += target.name.size();
+    return sizeof(Part) + part.morphs.size() * sizeof(model::MorphTarget) + names + 4 * floats;
 }
 
 std::vector<Mesh> read_meshes(File &file, Materials &materials, const std::vector<bool> &shown)

@@ -83,6 +83,7 @@ struct TextureSet {
 struct MorphTarget {
     std::vector<glm::vec3> positions;  // deltas, one per vertex of the part, or empty
     std::vector<glm::vec3> normals;    // deltas, one per vertex of the part, or empty
+    std::string name = {};
 };
 
 struct Part {

@@ -1,12 +1,14 @@
 #include "samples/cli/characters.h"
 
 #include <algorithm>
+#include <cstring>
 #include <set>
 #include <unistd.h>
 
 #include "samples/cli/files.h"
 #include "samples/cli/progress.h"
 #include "samples/io/ending.h"
+#include "samples/io/regular_file.h"
 
 namespace cli
 {
@@ -92,6 +94,15 @@ bool is_other_format(const std::string &path)
     const std::string ogre = ".mesh.xml";
     return others.count(io::ending_of(path)) != 0 ||
            (path.size() > ogre.size() && path.compare(path.size() - ogre.size(), ogre.size(), ogre) == 0);
+}
+
+bool is_character_file(const std::string &path)
+{
+    static const std::set<std::string> own = {".glb", ".gltf", ".vrm", ".clq"};
+    if (own.count(io::ending_of(path)) != 0 || is_other_format(path)) return true;
+    char first[4] = {};
+    const io::RegularFile file(path, io::most_file_bytes);
+    return file.wrong().empty() && file.read(0, first, sizeof first) && std::memcmp(first, "glTF", sizeof first) == 0;
 }
 
 FileArguments in_own_size(FileArguments of_file, const std::string &path)

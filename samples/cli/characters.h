@@ -25,6 +25,8 @@ struct LoadedCharacter {
 using scenes::is_prepared;
 // Whether a file's name ends as those of formats that only `claque convert` reads. Its content decides.
 bool is_other_format(const std::string &path);
+// Whether a file is a character, by the ending of its name or, whatever that is, as GLB by its first bytes.
+bool is_character_file(const std::string &path);
 
 // With the file's own size where none is given. No warning then asks for another one: pictures of a character and
 // transfers of its clips have the same result in any size.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <set>
 
 #include "samples/scenes/template_names.h"
 #include "samples/scenes/walkers/cast.h"
@@ -91,11 +92,17 @@ void add_names(const clq_asset *asset, Json &report)
                                        {"joint", node.joint}});
     }
     std::vector<std::string> materials;
+    std::set<std::pair<std::string, uint32_t>> morphs;  // the parts of a mesh share theirs
+    report["morph_list"] = Json::array();
     for (uint32_t i = 0; i < info.part_count; ++i) {
         clq_asset_part part = clq_asset_part_init();
         scenes::check(clq_asset_get_part(asset, i, &part));
         if (std::find(materials.begin(), materials.end(), part.material_name) == materials.end())
             materials.emplace_back(part.material_name);
+        for (uint32_t k = 0; k < part.morph_target_count; ++k)
+            if (morphs.emplace(part.node_name, k).second)
+                report["morph_list"].push_back(
+                    {{"node", part.node_name}, {"target", k}, {"name", clq_asset_get_morph_name(asset, i, k)}});
     }
     report["material_list"] = materials;
 }
@@ -144,6 +151,12 @@ void print_names(const Json &report)
     if (report.contains("material_list")) std::cout << "materials\n";
     if (report.contains("material_list"))
         for (const Json &name : report["material_list"]) std::cout << "  " << name.get<std::string>() << "\n";
+    if (!report.value("morph_list", Json()).empty()) {
+        std::cout << "morph targets\n";
+        for (const Json &one : report["morph_list"])
+            std::cout << "  " << one["node"].get<std::string>() << " " << one["target"] << "  "
+                      << one["name"].get<std::string>() << "\n";
+    }
     if (report.contains("locomotion")) print_locomotion(report["locomotion"]);
 }
 

@@ -6,7 +6,6 @@
 
 #include "samples/cli/files.h"
 #include "samples/cli/scene_about.h"
-#include "samples/io/ending.h"
 #include "samples/scenes/scenario/tracks.h"
 #include "samples/scenes/walkers/cast.h"
 #include "samples/scenes/walkers/record_file.h"
@@ -182,9 +181,7 @@ bool names_trajectories(const std::string &subject)
 {
     namespace fs = std::filesystem;
     std::error_code ignored;
-    if (!fs::exists(subject, ignored) || fs::is_directory(subject, ignored)) return false;
-    const std::string ending = io::ending_of(subject);
-    return ending != ".gltf" && ending != ".glb" && ending != ".clq" && !is_other_format(subject);
+    return fs::exists(subject, ignored) && !fs::is_directory(subject, ignored) && !is_character_file(subject);
 }
 
 std::shared_ptr<const scenes::Scenario> scenario_of(const TrackArguments &a, const scenes::Placement &placed)

@@ -17,7 +17,7 @@ bool ends_with_one_of(const std::string &path, std::initializer_list<const char 
 }
 
 bool is_image(const std::string &path) { return ends_with_one_of(path, {".png", ".jpg", ".jpeg"}); }
-bool is_motion_capture(const std::string &path) { return io::ending_of(path) == ".bvh"; }
+bool is_motion(const std::string &path) { return ends_with_one_of(path, {".bvh", ".vrma"}); }
 
 // Whether a TOML file has a table of this name.
 bool has_table(const std::string &path, const std::string &name)
@@ -45,16 +45,13 @@ void expect_character(const ViewWhat &what, const std::string &path, const char 
 
 }  // namespace
 
-bool is_view_character(const std::string &file)
-{
-    return is_name(file) || is_prepared(file) || is_other_format(file) || ends_with_one_of(file, {".glb", ".gltf"});
-}
+bool is_view_character(const std::string &file) { return is_name(file) || is_character_file(file); }
 
 bool is_colour_map(const std::string &path) { return has_table(path, "classes"); }
 
 bool is_subject(const std::string &path)
 {
-    return !is_image(path) && !is_motion_capture(path) && !is_colour_map(path) && !is_camera_path(path);
+    return !is_image(path) && !is_motion(path) && !is_colour_map(path) && !is_camera_path(path);
 }
 
 ViewWhat with_file(ViewWhat what, const std::string &path)
@@ -62,7 +59,7 @@ ViewWhat with_file(ViewWhat what, const std::string &path)
     if (is_image(path)) {
         expect_character(what, path, "is a texture");
         what.textures.push_back(path);
-    } else if (is_motion_capture(path)) {
+    } else if (is_motion(path)) {
         expect_character(what, path, "is a motion");
         what.clips.files.push_back(path);
     } else if (is_colour_map(path)) what.colours = path;

@@ -132,6 +132,8 @@ TEST_F(AssetArguments, GettersRefuseWhatTheyCannotFill)
           "level 9999 does not exist: for 'citizen' 0 were made");
     EXPECT_STREQ(clq_asset_get_warning(nullptr, 0), "");
     EXPECT_STREQ(clq_asset_get_warning(asset_, 0), "") << "a built-in character has no warning";
+    EXPECT_STREQ(clq_asset_get_morph_name(nullptr, 0, 0), "");
+    EXPECT_STREQ(clq_asset_get_morph_name(asset_, info().part_count, 0), "");
     EXPECT_STREQ(clq_asset_get_zone_name(nullptr, 0), "");
     EXPECT_STRNE(clq_asset_get_zone_name(asset_, info().zone_count - 1), "");
     EXPECT_STREQ(clq_asset_get_zone_name(asset_, info().zone_count), "");

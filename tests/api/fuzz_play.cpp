@@ -101,7 +101,9 @@ void World::watch()
         }
     clq_view_change changes[200];
     if (call("clq_crowd_get_view_changes", [&] { return clq_crowd_get_view_changes(crowd_, changes, 200, &count); }))
-        for (size_t i = 1; i < count; ++i) EXPECT_LT(changes[i - 1].actor.index1, changes[i].actor.index1);
+        for (size_t i = 1; i < count; ++i) {
+            EXPECT_LT(changes[i - 1].actor.index1, changes[i].actor.index1);
+        }
     clq_active_clip shown[CLQ_ACTIVE_CLIP_MAX];
     uint32_t shown_count = 0;
     const double at_s = random_.odd(-5, 30);

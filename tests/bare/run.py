@@ -16,11 +16,13 @@ import subprocess
 import sys
 import tempfile
 import time
+import zlib
 
 from system import Bare, Failed, lacking
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 LIMITS_S = {"make run": float(os.environ.get("MAX_RUN_S", 180)), "make test": float(os.environ.get("MAX_TEST_S", 900))}
+SECTIONS = {"Two commands", "A crowd in your own window", "People who walk and decide"}
 GROUPS = {"make run": "run", "make command": "command", "make test": "all"}  # of cmake/setup.sh
 # A screen without a monitor for the program of the README; its pixels are read from the file that Xvfb keeps.
 SHOW = """
@@ -54,6 +56,24 @@ def colours_of(screen):
     """How many colours a picture of the X window system (XWD, 32 bits a pixel) has."""
     begin = int.from_bytes(screen[:4], "big") + 12 * int.from_bytes(screen[76:80], "big")
     return len({screen[i : i + 4] for i in range(begin, len(screen) - 3, 4)})
+
+
+def values_of_png(path):
+    """How many different triples the filtered rows of a PNG hold: hardly any, if it shows one colour."""
+    data, at, packed = path.read_bytes(), 8, b""
+    while at < len(data):
+        length = int.from_bytes(data[at : at + 4], "big")
+        packed += data[at + 8 : at + 8 + length] if data[at + 4 : at + 8] == b"IDAT" else b""
+        at += 12 + length
+    rows = zlib.decompress(packed)
+    return len({rows[i : i + 3] for i in range(0, len(rows) - 2, 3)})
+
+
+def keep_pictures(bare, logs):
+    for picture in [*bare.root.glob("claque/*.png"), *bare.root.glob("claque/out/*.png")]:
+        shutil.copy(picture, logs)
+        if (values := values_of_png(picture)) < 100:
+            raise Failed(f"{picture.name} shows {values} different colours, which is no crowd")
 
 
 def seconds_of(bare, script, log):
@@ -101,8 +121,7 @@ def try_commands(bare, blocks, steps, logs):
                 name = f"claque {words[1]}"
                 seconds = seconds_of(bare, line, logs / f"{name.replace(' ', '-')}.log")
                 steps[name] = steps.get(name, 0) + seconds
-    for picture in bare.root.glob("claque/*.png"):
-        shutil.copy(picture, logs)
+    keep_pictures(bare, logs)
 
 
 def tests_of(log):
@@ -116,14 +135,15 @@ def tests_of(log):
 def try_suite(suite, root, logs, row):
     bare = Bare.fetch(suite, root, logs / "debootstrap.log")
     blocks = blocks_of((SOURCE / "README.md").read_text())
+    if other := {block[0] for block in blocks} - SECTIONS:
+        raise Failed(f"README.md has commands below '{min(other)}', which nothing tries")
     first = next(text for section, _, _, text in blocks if section == "Two commands")
     install, make_run, make_test = (re.sub(r"\s*#.*", "", line) for line in first.splitlines())
     steps = row["steps"]
     bare.run(install, log=logs / "install.log")
     subprocess.run(["git", "clone", "-q", str(SOURCE), str(root / "claque")], check=True)
     time_one(bare, make_run, logs, steps)
-    for picture in (root / "claque/out").glob("*.png"):
-        shutil.copy(picture, logs)
+    keep_pictures(bare, logs)
     row["compiler"] = bare.run("c++ -dumpfullversion").strip()
     row["cmake"] = bare.run("cmake --version | sed -n '1s/[^0-9]*//p'").strip()
     row["mesa"] = bare.run("dpkg-query -W -f '${Version}' libgl1-mesa-dri | sed 's/-.*//'").strip()

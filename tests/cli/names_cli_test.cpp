@@ -132,17 +132,46 @@ TEST_F(NamesCommand, OfTexturesThatAreNotThereBringTheNearOnes)
                 "there are no textures 'nigth': 'night' is near");
 }
 
+TEST_F(NamesCommand, OfMorphTargetsAreListedAsFarAsTheFileHasThem)
+{
+    const auto listed = [&](const Json &extras) {
+        Maker maker;
+        maker.triangle();
+        maker.primitive()["targets"] = Json::array({{{"POSITION", 0}}, {{"POSITION", 0}}, {{"POSITION", 0}}});
+        maker.json["nodes"][0]["name"] = "face";
+        maker.json["meshes"][0]["extras"] = extras;
+        const auto bytes = maker.glb();
+        std::ofstream(path("face.glb"), std::ios::binary)
+            .write(reinterpret_cast<const char *>(bytes.data()), long(bytes.size()));
+        const Outcome done = claque({"inspect", path("face.glb"), "--nodes"});
+        EXPECT_EQ(done.code, 0) << done.err;
+        const size_t at = done.out.find("morph targets\n");
+        return at == std::string::npos ? done.out : done.out.substr(at, done.out.find("no locomotion", at) - at);
+    };
+    EXPECT_EQ(listed({{"targetNames", {"smile", "blink", "jaw"}}}),
+              "morph targets\n  face 0  smile\n  face 1  blink\n  face 2  jaw\n");
+    for (const Json &odd :
+         {Json("text"), Json({{"targetNames", "smile"}}), Json({{"targetNames", {1, nullptr}}}), Json()})
+        EXPECT_EQ(listed(odd), "morph targets\n  face 0  \n  face 1  \n  face 2  \n") << odd;
+    EXPECT_EQ(listed({{"targetNames", {"smile", 2, "jaw", "more"}}}),
+              "morph targets\n  face 0  smile\n  face 1  \n  face 2  jaw\n");
+}
+
 TEST_F(NamesCommand, OfFilesDoNotDecideTheirFormat)
 {
     Maker maker;
     maker.triangle();
     const auto bytes = maker.glb();
-    for (const char *name : {"x.mesh.xml.glb", "x.mesh.xml.folder.glb", "x.fbx", "x"}) {
+    for (const char *name : {"x.mesh.xml.glb", "x.mesh.xml.folder.glb", "x.fbx", "x.vrm", "x.csv", "x"}) {
         std::ofstream(path(name), std::ios::binary)
             .write(reinterpret_cast<const char *>(bytes.data()), long(bytes.size()));
         const Outcome done = claque({"inspect", path(name)});
         EXPECT_EQ(done.code, 0) << name << done.err;
+        expect_said({"labels", path(name), "--out", path("l")}, 2, path(name) + " is a character; labels are of");
+        const Outcome measured = claque({"bench", path(name), "--count", "2", "--frames", "1", "--size", "96x72"});
+        EXPECT_EQ(measured.code, 0) << name << measured.err;
     }
+    expect_said({"inspect", path("absent.vrm")}, 1, "absent.vrm");
     write("b.iqm", "INTERQUAKEMODEL");
     write("b.egg", "<CoordinateSystem> { Z-Up }");
     write("b.bin", "IDP2");

@@ -124,6 +124,39 @@ TEST_F(PlacementOptions, AreRefusedWhereTheyMeanNothing)
                      "are for files"));
 }
 
+// Walkers that face backwards are refused, and the turn of the command puts them right.
+TEST_F(PlacementOptions, TurnTheWalkersOfEachCommandThatHasSome)
+{
+    const std::string why = why_no_context("any");
+    if (!why.empty()) GTEST_SKIP() << why;
+    std::ofstream(path("steps.toml")) << "steps = ['wait 0.1']\n";
+    std::ofstream(path("guest.toml"))
+        << "machine = \"guest\"\n[states.stands]\nenter = [ { look = [4.0, 1.0, 4.0] } ]\n";
+    std::ofstream(path("stage.toml")) << "name = \"stage\"\n[stage]\nseconds = 1.0\n[[characters]]\nname = \"guests\"\n"
+                                         "character = \"back.glb\"\n[navigation]\nrectangle = [-3, -3, 3, 3]\n"
+                                         "[[agents]]\nclass = \"guests\"\nmachine = \"guest.toml\"\ncount = 2\n"
+                                         "area = [-2, -2, 2, 2]\n";
+    const std::vector<std::string> way = {path("way.csv"), "--columns", "id,frame,x,y", "--rate",        "10",
+                                          "--unit",        "m",         "--characters", path("back.glb")};
+    const std::vector<std::vector<std::string>> commands = {
+        {"tracks"},
+        {"play", "--time", "2", "--size", "96x72", "--out", path("way.png")},
+        {"labels", "--frames", "10:10", "--size", "96x72", "--out", path("labels")},
+        {"view", "--size", "640x480", "--script", path("steps.toml"), "--shots", path("")},
+        {"bench", "--frames", "1", "--size", "96x72"},
+        {"stage", path("stage.toml"), "--json", "-"}};
+    for (std::vector<std::string> command : commands) {
+        if (command[0] != "stage") command.insert(command.begin() + 1, way.begin(), way.end());
+        const Outcome back = claque(command);
+        EXPECT_NE(back.code, 0) << command[0];
+        EXPECT_TRUE(says(back, "(--turn 180) turns it")) << command[0] << back.err;
+        command.insert(command.end(), {"--turn", "180"});
+        const Outcome turned = claque(command);
+        EXPECT_EQ(turned.code, 0) << command[0] << turned.err;
+        EXPECT_FALSE(says(turned, "turns it")) << command[0] << turned.err;
+    }
+}
+
 TEST_F(PlacementOptions, AreKeysOfAClassInAScenario)
 {
     const Outcome back = scenario("back.glb", "");

@@ -126,6 +126,18 @@ TEST_F(ViewCommand, PlaysTheMotionsThatAreNamedOrDropped)
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 
+TEST_F(ViewCommand, ShowsACharacterOfAnyNameThatIsNamedOrDropped)
+{
+    const std::string hero = file_text(written::folder() + "WrittenSkins.glb");
+    for (const char *name : {"hero.vrm", "hero.download", "hero.txt"}) {
+        write(name, hero);
+        Outcome outcome = view({path(name), "--count", "1"}, {"click person 1", "see \"made once\""});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        outcome = view({"citizen", "--count", "1"}, {drop(path(name)), std::string("see \"") + name + " is shown\""});
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+    }
+}
+
 TEST_F(ViewCommand, StaysWithWhatItShowedWhereAFileCannotBeShown)
 {
     write("broken.glb", "no character");

@@ -42,6 +42,11 @@ protected:
                                  "\"\n[tracks]\nfile = \"walk.csv\"\ncolumns = \"id,frame,x,y\"\nrate_hz = 10.0\n"
                                  "unit = \"m\"\n");
         write("steps.toml", "steps = ['wait 0.1']\n");
+        write("guest.toml", "machine = \"guest\"\n[states.stands]\nenter = [ { look = [4.0, 1.0, 4.0] } ]\n");
+        write("stage.toml", "name = \"one\"\n[stage]\nseconds = 1.0\n[[characters]]\nname = \"one\"\ncharacter = \"" +
+                                file_ +
+                                "\"\n[navigation]\nrectangle = [-3, -3, 3, 3]\n[[agents]]\nclass = \"one\"\n"
+                                "machine = \"guest.toml\"\ncount = 2\narea = [-2, -2, 2, 2]\n");
     }
     void write(const std::string &name, const std::string &text) const { std::ofstream(path(name)) << text; }
 
@@ -77,6 +82,7 @@ protected:
         {"play", path("walk.csv"), "--columns", "id,frame,x,y", "--rate", "10", "--unit", "m", "--characters", file_,
          "--time", "1", "--size", "64x48", "--out", path("w.png")},
         {"tracks", path("walk.csv"), "--columns", "id,frame,x,y", "--rate", "10", "--unit", "m", "--characters", file_},
+        {"stage", path("stage.toml"), "--json", "-"},
         {"labels", path("people.toml"), "--size", "64x48", "--frames", "0:1", "--out", path("labels")},
         {"parity", "export", file_, "--size", "64x48", "--out", path("parity")},
     };

@@ -211,6 +211,8 @@ void add_asset_questions(std::vector<Call> &all)
                    inside});
     all.push_back({"clq_asset_get_warning",
                    [](W w) { return *clq_asset_get_warning(w.person, 99) ? CLQ_LIMIT : CLQ_OK; }, quiet});
+    all.push_back({"clq_asset_get_morph_name",
+                   [](W w) { return *clq_asset_get_morph_name(w.person, 0, 99) ? CLQ_LIMIT : CLQ_OK; }, quiet});
     all.push_back({"clq_asset_get_zone_name",
                    [](W w) { return *clq_asset_get_zone_name(w.person, 99) ? CLQ_LIMIT : CLQ_OK; }, quiet});
     all.push_back({"clq_asset_destroy",

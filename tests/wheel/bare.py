@@ -65,6 +65,8 @@ def tried_in(suite, wheel):
         if root.run("apt-cache policy libosmesa6").strip():
             root.run(WITHOUT_EGL)
             yield tried(root, "osmesa")
+        elif suite in ("bookworm", "trixie"):
+            raise Failed(f"{suite} offers no libosmesa6: claque was to be tried with OSMesa alone")
         else:
             print(f"{suite} has no libosmesa6, so claque is tried there with EGL alone")
 

@@ -257,6 +257,13 @@ clq_status clq_asset_get_clip(const clq_asset *asset, uint32_t clip, clq_clip_in
     });
 }
 
+const char *clq_asset_get_morph_name(const clq_asset *asset, uint32_t part, uint32_t target)
+{
+    if (!asset || part >= asset->model.parts.size()) return "";
+    const std::vector<model::MorphTarget> &morphs = asset->model.parts[part].morphs;
+    return target < morphs.size() ? morphs[target].name.c_str() : "";
+}
+
 const char *clq_asset_get_warning(const clq_asset *asset, uint32_t warning)
 {
     return asset && warning < asset->model.warnings.size() ? asset->model.warnings[warning].c_str() : "";
