@@ -5,9 +5,9 @@
 set -eu
 packages=$1
 for command in debootstrap unshare chroot; do
-    command -v $command > /dev/null || { echo "skipped: $0 needs $command"; exit 0; }
+    command -v $command > /dev/null || { echo "$0 needs $command" >&2; exit 1; }
 done
-[ "$(id -u)" = 0 ] || { echo "skipped: $0 needs root"; exit 0; }
+[ "$(id -u)" = 0 ] || { echo "$0 needs root" >&2; exit 1; }
 
 source=$(cd "$(dirname "$0")/../.." && pwd)
 bare=$(mktemp -d)
