@@ -286,12 +286,13 @@ CLANG_FORMAT = $(firstword $(shell command -v clang-format-14 clang-format))
 check: setup
 	@if $(CLANG_FORMAT) --version | grep -q 'version 14\.'; then \
 	    $(CLANG_FORMAT) --dry-run -Werror $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp'); \
-	else echo "make check: the format of sources is left out: it is that of clang-format 14" >&2; fi
+	else echo "make check: the format of sources is not checked, as clang-format 14 is not installed" >&2; fi
 	@$(MAKE) --no-print-directory build PRESET=dev
 	@cmake --build --preset dev -j $(JOBS) --target claque_benchmarks
 	ctest --preset dev -R '^(Layers|Style|Docs)'
 
 format:
+	@$(CLANG_FORMAT) --version | grep -q 'version 14\.' || { echo "make format needs clang-format 14" >&2; exit 1; }
 	$(CLANG_FORMAT) -i $$(git ls-files '*.h' '*.hpp' '*.c' '*.cpp')
 
 clean:

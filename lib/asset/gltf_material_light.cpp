@@ -71,8 +71,8 @@ void Materials::read_emission(const Light &light, Material &out, UvUse &use)
     out.lighting.emission = light.emission;
     if (out.image != none && shown.image == none)
         file_.warn(
-            base::text_of("material '%s' emits one colour over a picture, which darkens it; a base colour "
-                          "without a picture, or KHR_materials_unlit, keeps it",
+            base::text_of("material '%s' emits one colour over a picture, and the picture darkens its emission; "
+                          "KHR_materials_unlit, or a base colour without a picture, shows it in full",
                           out.name.c_str()));
 }
 
@@ -131,7 +131,8 @@ void Materials::name_unseen_looks(const std::vector<bool> &used)
     if (names.empty()) return;
     std::string list;
     for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
-    file_.warn(base::text_of("materials are shown without %.400s: fixed-function light has none", list.c_str()));
+    file_.warn(
+        base::text_of("materials are shown without %.400s: fixed-function lighting has none of them", list.c_str()));
 }
 
 void Materials::settle_light(const std::vector<bool> &used, model::Model &model)

@@ -73,7 +73,7 @@ def keep_pictures(bare, logs):
     for picture in [*bare.root.glob("claque/*.png"), *bare.root.glob("claque/out/*.png")]:
         shutil.copy(picture, logs)
         if (values := values_of_png(picture)) < 100:
-            raise Failed(f"{picture.name} shows {values} different colours, which is no crowd")
+            raise Failed(f"{picture.name} holds {values} different values, which is no crowd")
 
 
 def seconds_of(bare, script, log):

@@ -56,7 +56,7 @@ public:
         glm::dvec3 weights = glm::dvec3(0);  // of the triangle's corners
         double distance_squared = 0;
     };
-    // Of several nearest triangles it returns the first in the tree's order. `guess`: a triangle that may be near; it
+    // Returns the first of several nearest triangles in the tree's order. `guess`: a triangle that may be near; it
     // saves time and does not change the result.
     Found to(glm::dvec3 p, uint32_t guess = 0xffffffff) const;
 
@@ -85,7 +85,7 @@ class FewTriangles
 {
 public:
     explicit FewTriangles(const std::vector<Corners3> &triangles);  // may be none
-    // Of several nearest triangles it returns the first; of none, an infinite distance.
+    // Returns the first of several nearest triangles; without triangles, an infinite distance.
     NearestPoint::Found to(glm::dvec3 p) const;
     const std::vector<PrecomputedTriangle> &triangles() const { return triangles_; }
 
