@@ -62,21 +62,66 @@ std::string limb_of(std::string_view p)
     return "";
 }
 
+bool is_middle(std::string_view p) { return !has_any(p, {"end", "nub", "top", "ik", "control", "ctrl", "twist"}); }
+
+// The lowest node above both thighs; none: nothing is.
+uint32_t above_legs(const model::Rig &rig, const Body &body)
+{
+    const auto left = body.bones.find("leftUpperLeg"), right = body.bones.find("rightUpperLeg");
+    if (left == body.bones.end() || right == body.bones.end()) return none;
+    uint32_t node = rig.parents[left->second];
+    while (node != none && !is_below(rig, right->second, node)) node = rig.parents[node];
+    return node;
+}
+
+// The hips by their name, if the legs hang on them, else what the legs hang on: some pelvises carry the spine alone.
+void add_hips(const model::Rig &rig, Body &body)
+{
+    const uint32_t legs = above_legs(rig, body);
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const std::string p = plain(rig.node_names[i]);
+        if (!side_of(rig.node_names[i], p).empty() || !is_middle(p)) continue;
+        if (!ends(p, "hips") && !ends(p, "pelvis") && p != "hip") continue;
+        if (legs == none || i == legs || is_below(rig, legs, i)) body.bones.emplace("hips", i);
+        else if (is_below(rig, i, legs)) body.spine.push_back(i);
+        break;
+    }
+    if (legs != none) body.bones.emplace("hips", legs);
+}
+
 void add_middle(const model::Rig &rig, uint32_t node, std::string_view p, Body &body)
 {
-    if (has_any(p, {"end", "nub", "top", "ik", "control", "ctrl", "twist"})) return;
-    if (ends(p, "hips") || ends(p, "pelvis") || p == "hip") {
-        body.bones.emplace("hips", node);
-        return;
-    }
     const auto hips = body.bones.find("hips");
-    if (hips == body.bones.end() || !is_below(rig, node, hips->second)) return;
+    if (!is_middle(p) || hips == body.bones.end() || !is_below(rig, node, hips->second)) return;
     const auto extend = [&](std::vector<uint32_t> &chain) {
         if (chain.empty() || is_below(rig, node, chain.back())) chain.push_back(node);
     };
     if (has(p, "head")) body.bones.emplace("head", node);
     else if (has(p, "neck")) extend(body.neck);
     else if (has_any(p, {"spine", "chest", "torso", "abdomen", "waist", "lowerback"})) extend(body.spine);
+}
+
+// Some exporters mirror a person and keep its names. Toes point ahead, and left is to the left of that.
+void swap_mirrored_sides(const model::Rig &rig, Body &body)
+{
+    const GlobalPose rest = rest_pose(rig);
+    const auto way = [&](const char *from, const char *to) {
+        const auto a = body.bones.find(from), b = body.bones.find(to);
+        return a == body.bones.end() || b == body.bones.end() ? glm::dvec3(0)
+                                                              : rest.positions[b->second] - rest.positions[a->second];
+    };
+    const glm::dvec3 ahead = way("leftFoot", "leftToes") + way("rightFoot", "rightToes"),
+                     left = way("rightUpperLeg", "leftUpperLeg");
+    // The sine of the angle by which left is to the left, times lengths.
+    const double sine = left.x * ahead.z - left.z * ahead.x;
+    const double lengths = (ahead.x * ahead.x + ahead.z * ahead.z) * (left.x * left.x + left.z * left.z);
+    if (!(sine < 0 && sine * sine > 0.25 * lengths)) return;
+    std::map<std::string, uint32_t> swapped;
+    for (const auto &[bone, node] : body.bones) {
+        const bool is_left = bone.compare(0, 4, "left") == 0, is_right = bone.compare(0, 5, "right") == 0;
+        swapped[is_left ? "right" + bone.substr(4) : is_right ? "left" + bone.substr(5) : bone] = node;
+    }
+    body.bones = std::move(swapped);
 }
 
 Body body_of(const model::Rig &rig, const std::vector<HumanBone> &listed)
@@ -92,8 +137,14 @@ Body body_of(const model::Rig &rig, const std::vector<HumanBone> &listed)
     if (!listed.empty()) return body;
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
         const std::string name = plain(rig.node_names[i]), side = side_of(rig.node_names[i], name);
-        if (side.empty()) add_middle(rig, i, name, body);
-        else if (const std::string limb = limb_of(name); !limb.empty()) body.bones.emplace(side + limb, i);
+        const std::string limb = side.empty() ? "" : limb_of(name);
+        if (!limb.empty()) body.bones.emplace(side + limb, i);
+    }
+    swap_mirrored_sides(rig, body);
+    add_hips(rig, body);
+    for (uint32_t i = 0; i < rig.node_count(); ++i) {
+        const std::string name = plain(rig.node_names[i]);
+        if (side_of(rig.node_names[i], name).empty()) add_middle(rig, i, name, body);
     }
     return body;
 }

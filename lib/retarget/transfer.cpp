@@ -67,6 +67,14 @@ private:
         }
         for (const JointMatch &m : matches_)
             if (rest_t_.positions[m.target].y <= low + 0.08 * (high - low)) soles_.push_back(m.target);
+        // A character may rest in a jump, or round its hips. Some maps bind no feet.
+        double lowest = low;
+        std::vector<bool> hangs(target_.node_count());
+        for (uint32_t i = 0; i < target_.node_count(); ++i) {
+            hangs[i] = match_of_[i] != none || (target_.parents[i] != none && hangs[target_.parents[i]]);
+            if (hangs[i]) lowest = std::min(lowest, rest_t_.positions[i].y);
+        }
+        if (std::fabs(lowest) > 0.15 * (high - lowest)) ground_ = lowest;
     }
 
     Keys sample_keys(uint32_t clip) const
@@ -148,7 +156,8 @@ private:
         for (size_t k = 0; k < keys.times_s.size(); ++k) {
             const std::vector<glm::dvec3> positions = posed(keys.rotations[k], keys.positions[k]);
             double gap = 1e300;
-            for (const uint32_t sole : soles_) gap = std::min(gap, positions[sole].y - rest_t_.positions[sole].y);
+            for (const uint32_t sole : soles_)
+                gap = std::min(gap, positions[sole].y - rest_t_.positions[sole].y + ground_);
             gaps.push_back(gap);
         }
         std::sort(gaps.begin(), gaps.end());
@@ -270,6 +279,7 @@ private:
     std::vector<uint32_t> match_of_;  // [nodes of the target]
     std::vector<FollowerBinding> follower_bindings_;
     std::vector<uint32_t> soles_;
+    double ground_ = 0;  // the height of the ground in the pose of rest
 };
 
 }  // namespace

@@ -138,8 +138,9 @@ void check_speeds(const model::Template &tmpl, const Locomotion &out)
     const auto name = [&](uint32_t clip) { return clip_name(tmpl.rig, clip); };
     if (!(out.stride[walk_step] > 0.1f * out.leg_length))
         fail(CLQ_ARGUMENT,
-             "clip %u ('%s') of template '%s' carries the body %g of a leg's length a cycle: a walk in place is "
-             "wanted; %s",
+             "the feet of clip %u ('%s') of template '%s' move back by %.2g of a leg's length a cycle, as in a clip "
+             "that "
+             "stands: a walk in place is wanted; %s",
              clips.walk, name(clips.walk), tmpl.name.c_str(), double(out.stride[walk_step] / out.leg_length),
              name_another);
     if (clips.run != none && !(out.running_speed() > speed))

@@ -1,8 +1,10 @@
 // Assimp's materials as materials of glTF: base colour, picture, both sides.
+#include <algorithm>
 #include <cmath>
 
 #include <assimp/commonMetaData.h>
 #include <assimp/material.h>
+#include <assimp/mesh.h>
 
 #include "samples/convert/fbx_bytes.h"
 #include "samples/convert/pictures.h"
@@ -64,16 +66,36 @@ std::optional<size_t> texture_of(Scene &scene, Pictures &pictures, const aiMater
 Json material_json(Scene &scene, Pictures &pictures, const aiMaterial &from, const std::string &name)
 {
     Json look = {{"metallicFactor", 0}};
-    if (const std::optional<size_t> texture = texture_of(scene, pictures, from, name)) {
+    const std::optional<size_t> texture = texture_of(scene, pictures, from, name);
+    if (texture) {
         look["baseColorTexture"] = {{"index", *texture}};  // in its own colours
     } else {
         const Three light = base_colour(scene, from, name);
         look["baseColorFactor"] = {light[0], light[1], light[2], 1};
     }
     Json out = {{"name", name}, {"pbrMetallicRoughness", look}};
+    if (texture && pictures.has_holes(*texture)) out["alphaMode"] = "MASK";
     int both_sides = 0;
     if (from.Get(AI_MATKEY_TWOSIDED, both_sides) == AI_SUCCESS && both_sides) out["doubleSided"] = true;
     return out;
+}
+
+bool names_pictures(const aiScene &scene)
+{
+    return std::any_of(scene.mMaterials, scene.mMaterials + scene.mNumMaterials,
+                       [](const aiMaterial *material) { return !picture_name(*material).empty(); });
+}
+
+// A surface that a picture was made for, and that is grey without it.
+bool lacks_picture(const aiScene &scene, unsigned m, const Json &material)
+{
+    const Json &look = material["pbrMetallicRoughness"];
+    if (look.contains("baseColorTexture")) return false;
+    const Json &colour = look["baseColorFactor"];
+    if (colour[0] != colour[1] || colour[1] != colour[2] || colour[0].get<double>() < 0.3) return false;
+    return std::any_of(scene.mMeshes, scene.mMeshes + scene.mNumMeshes, [&](const aiMesh *mesh) {
+        return mesh->mMaterialIndex == m && mesh->HasTextureCoords(0) && mesh->HasBones();
+    });
 }
 
 }  // namespace
@@ -81,12 +103,16 @@ Json material_json(Scene &scene, Pictures &pictures, const aiMaterial &from, con
 void add_materials(Scene &scene)
 {
     Pictures pictures(scene);
+    const bool asks = scene.options.picture.empty() && !names_pictures(scene.from);
     for (unsigned m = 0; m < scene.from.mNumMaterials; ++m) {
         const aiMaterial &from = *scene.from.mMaterials[m];
         aiString name;
         (void)from.Get(AI_MATKEY_NAME, name);
         const std::string known = name.length ? name.C_Str() : "material " + std::to_string(m + 1);
-        scene.glb.add("materials", material_json(scene, pictures, from, known));
+        const Json material = material_json(scene, pictures, from, known);
+        if (asks && lacks_picture(scene.from, m, material))
+            scene.warn("material '" + known + "' names no picture: --picture FILE gives it one");
+        scene.glb.add("materials", material);
     }
 }
 

@@ -88,7 +88,9 @@ std::optional<size_t> Pictures::texture_of_file(const std::string &path)
 {
     const auto [place, is_new] = known_.emplace("file " + path, std::nullopt);
     if (!is_new) return place->second;
-    place->second = add(as_png_or_jpeg(bytes_of_file(path)), base_of(path));
+    const std::string bytes = bytes_of_file(path);
+    place->second = add(as_png_or_jpeg(bytes), base_of(path));
+    if (place->second && convert::has_holes(bytes)) with_holes_.insert(*place->second);
     if (!place->second) scene_.warn("the picture " + path + " is missing or no picture that is read");
     return place->second;
 }

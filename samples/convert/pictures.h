@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 
 #include "samples/convert/scene.h"
 
@@ -18,12 +19,14 @@ public:
     std::optional<size_t> texture_of(const std::string &name, const std::string &material);
     // Of a file that the user names.
     std::optional<size_t> texture_of_file(const std::string &path);
+    bool has_holes(size_t texture) const { return with_holes_.count(texture) != 0; }  // of a file that the user names
 
 private:
     std::optional<size_t> add(const std::string &bytes, const std::string &name);
 
     Scene &scene_;
     std::map<std::string, std::optional<size_t>> known_;
+    std::set<size_t> with_holes_;
 };
 
 }  // namespace convert

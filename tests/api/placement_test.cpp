@@ -193,6 +193,46 @@ TEST_F(Placement, OfVrm0IsTurnedByItsSpecificationAndOfVrm1IsNot)
     expect_alike(positions(load(vrm("VRM"), options_of(180, 0)).get(), CLQ_NONE, 0), plain, 1);
 }
 
+// The table of bones names the same joints after the turn.
+TEST_F(Placement, OfVrm0TakesClipsAsThatOfVrm1Does)
+{
+    static const char *const bones[] = {"hips",          "leftUpperLeg", "leftLowerLeg", "leftFoot", "rightUpperLeg",
+                                        "rightLowerLeg", "rightFoot",    "spine",        "neck",     "head"};
+    const auto vrm = [&](const char *extension, bool moves) {
+        Maker maker;
+        maker.triangle();
+        const int mesh = int(maker.json["meshes"].size()) - 1;
+        const size_t first = maker.json["nodes"].size();
+        Json listed = Json::object(), list = Json::array();
+        for (size_t i = 0; i < std::size(bones); ++i) {  // each hangs on the one before
+            Json node = {{"name", moves ? "clip" : "joint"}, {"translation", {0, 0.2f, 0}}, {"mesh", mesh}};
+            if (i + 1 < std::size(bones)) node["children"] = {first + i + 1};
+            maker.add("nodes", node);
+            listed[bones[i]] = {{"node", first + i}};
+            list.push_back({{"bone", bones[i]}, {"node", first + i}});
+        }
+        maker.json["scenes"] = Json::array({{{"nodes", {first}}}});
+        maker.json["extensionsUsed"] = {extension};
+        maker.json["extensions"][extension]["humanoid"]["humanBones"] = std::string(extension) == "VRM" ? list : listed;
+        if (moves) {
+            ClipMaker clip(maker, "kick");
+            clip.add(int(first) + 3, "rotation", "LINEAR", times_from(0, 0.5f, 2), turns({1, 0, 0}, {0, -60}));
+            clip.finish();
+        }
+        return maker.glb();
+    };
+    const Own<clq_asset> clips = load(vrm("VRMC_vrm", true));
+    const auto kicked = [&](const char *extension) {
+        const Own<clq_asset> asset = load(vrm(extension, false));
+        EXPECT_EQ(clq_asset_add_clips(context_.get(), asset.get(), clips.get(), nullptr, nullptr), CLQ_OK)
+            << clq_last_error();
+        return positions(asset.get(), 0, 0.5f);
+    };
+    const std::vector<float> plain = kicked("VRMC_vrm");
+    EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 1.2f);
+    expect_alike(kicked("VRM"), placed(plain, 180, 1), 2);
+}
+
 TEST_F(Placement, OfTheCollectedVrm0ShowsItsFace)
 {
     const std::string path = CLAQUE_ASSETS_DIR "/../cases/characters/vrm0_faces_minus_z.vrm";

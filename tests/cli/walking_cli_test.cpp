@@ -39,14 +39,47 @@ TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
     EXPECT_EQ(found.code, 0) << found.err;
     man.before_clips = "Sneak";
     write("man.glb", man);
+    const char *const borrows =
+        "has no clip named walk (it has: SneakWalk, SneakRun): its people walk and stand by clips "
+        "of the built-in citizen; --walk NAME where people walk on tracks";
     const Outcome none = tracks({"--characters", path("man.glb")});
-    EXPECT_EQ(none.code, 1);
-    EXPECT_TRUE(
-        says(none, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME where people walk on tracks"))
-        << none.err;
+    EXPECT_EQ(none.code, 0) << none.err;
+    EXPECT_TRUE(says(none, borrows)) << none.err;
     const Outcome named = tracks({"--characters", path("man.glb"), "--walk", "SneakWalk"});
     EXPECT_EQ(named.code, 0) << named.err;
+    EXPECT_FALSE(says(named, "citizen")) << named.err;
     EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--walk", "SneakWlak"}), "no clip named SneakWlak"));
+}
+
+// Joints that nothing names take no clips of others.
+TEST_F(PlacementOptions, RefuseACharacterWithoutAWalkAndTakeItsOnlyClipForOne)
+{
+    FigureTraits strange;
+    strange.strange_names = true, strange.before_clips = "Sneak";
+    write("man.glb", strange);
+    const std::vector<std::string> man = {"--characters", path("man.glb"), "--legs", "A1,A2,A3,A4,B1,B2,B3,B4"};
+    const Outcome two = tracks(man);
+    EXPECT_EQ(two.code, 1);
+    EXPECT_TRUE(
+        says(two, "has no clip named walk; it has: SneakWalk, SneakRun; --walk NAME where people walk on tracks"))
+        << two.err;
+    strange.has_run = false;
+    write("man.glb", strange);
+    const Outcome one = tracks(man);
+    EXPECT_EQ(one.code, 0) << one.err;
+}
+
+TEST_F(PlacementOptions, SayWhereAWalkLeadsBesideItsPath)
+{
+    FigureTraits man;
+    man.aside_m = 0.4f;
+    write("man.glb", man);
+    const Outcome near = tracks({"--characters", path("man.glb")});
+    EXPECT_FALSE(says(near, "beside")) << near.err;
+    man.aside_m = 1;
+    write("man.glb", man);
+    const Outcome far = tracks({"--characters", path("man.glb")});
+    EXPECT_TRUE(says(far, "man.glb: its clip Walk walks 1 m beside the origin")) << far.err;
 }
 
 TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
@@ -99,20 +132,23 @@ TEST_F(PlacementOptions, LetAPreparedFileWalk)
 
 TEST_F(PlacementOptions, AddClipsToWhoWalks)
 {
-    FigureTraits still, walks;
-    still.before_clips = "Other", walks.before_clips = "";
-    write("still.glb", still), write("walks.glb", walks);
-    const auto played = [&](const std::vector<std::string> &more) {
+    FigureTraits still, walks, aside;
+    still.before_clips = "Other", walks.before_clips = "", aside.aside_m = 1;
+    write("still.glb", still), write("walks.glb", walks), write("aside.glb", aside);
+    const auto played = [&](const char *who, const std::vector<std::string> &more) {
         std::vector<std::string> arguments = {
-            "play",  path("way.csv"),   "--columns",       "id,frame,x,y", "--rate", "10",     "--unit",
-            "m",     "--characters",    path("still.glb"), "--size",       "64x48",  "--time", "1",
-            "--out", path("played.png")};
+            "play",         path("way.csv"), "--columns", "id,frame,x,y", "--rate", "10", "--unit", "m",
+            "--characters", path(who),       "--size",    "64x48",        "--time", "1",  "--out",  path("played.png")};
         arguments.insert(arguments.end(), more.begin(), more.end());
-        return claque(arguments);
+        const Outcome outcome = claque(arguments);
+        EXPECT_EQ(outcome.code, 0) << outcome.err;
+        return outcome;
     };
-    EXPECT_TRUE(says(played({}), "has no clip named walk"));
-    const Outcome outcome = played({"--clips", path("walks.glb")});
-    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    const auto borrows = [&](const Outcome &outcome) { return says(outcome, "by clips of the built-in citizen"); };
+    EXPECT_TRUE(borrows(played("still.glb", {})));
+    EXPECT_FALSE(borrows(played("still.glb", {"--clips", path("walks.glb")})));
+    EXPECT_TRUE(says(played("aside.glb", {}), "beside the origin"));
+    EXPECT_FALSE(says(played("aside.glb", {"--clips", "citizen", "--walk", "walk"}), "beside the origin"));
 }
 
 }  // namespace cli_test

@@ -17,6 +17,8 @@ struct FigureTraits {
     bool lies = false;             // on its face
     float feet_deg = 0;            // both are turned by this from where it faces
     bool runs = true;              // or its clip 'Run' only stands
+    bool has_run = true;           // or its only clip is 'Walk'
+    float aside_m = 0;             // so far behind its origin it walks
     bool strange_names = false;    // of the legs' nodes
     bool knees = true;             // or each leg is one node
     bool feet = true;              // or they have the names of controls
@@ -57,7 +59,7 @@ public:
                                      {"scale", {size, size, size}}});
         maker_.json["scenes"] = Json::array({{{"nodes", {root_}}}});
         gait("Walk", 1, true);
-        gait("Run", 0.5f, traits.runs);
+        if (traits.has_run) gait("Run", 0.5f, traits.runs);
     }
 
     Bytes glb() const { return maker_.glb(); }
@@ -122,6 +124,8 @@ private:
         if (traits_.rest_deg != 0 || turned != 0)
             clip.add(root_, "rotation", "LINEAR", {0, length_s / 2, length_s},
                      turns({0, 1, 0}, {from - turned / 2, from, from + turned / 2}));
+        const float away = -traits_.aside_m;
+        if (away != 0) clip.add(root_, "translation", "LINEAR", {0, length_s}, {0, 0, away, 0, 0, away});
         clip.finish();
     }
 

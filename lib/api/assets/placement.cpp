@@ -59,6 +59,7 @@ void put_above(model::Model &model, const math::Trs &placed)
         if (dof.kind != model::DofKind::morph) behind(dof.node);
     for (model::Part &part : model.parts) behind(part.node);
     for (model::RootMotionRequest &motion : model.root_motions) behind(motion.node);
+    for (auto &[bone, node] : model.human_bones) behind(node);
 }
 
 void name_facing(model::Model &model, double turn_deg)

@@ -13,10 +13,10 @@ namespace claque::lod
 namespace
 {
 
-constexpr double regions = 7;         // along the longest side of the character
-constexpr double least_share = 0.01;  // of the area that a region counts with
-constexpr double pixels = 4096;       // of the finest size along the longest side
-constexpr double small = 80;          // pixels along the longest side at which the shape alone counts
+constexpr double regions = 14;         // along the longest side of the character
+constexpr double least_share = 0.001;  // of the area that a region counts with
+constexpr double pixels = 4096;        // of the finest size along the longest side
+constexpr double small = 80;           // pixels along the longest side at which the shape alone counts
 
 // Pixels grow until colours differ by no more than this, at most so many times. A difference that is left makes an
 // error of the shape more visible, by so many times the difference. A region with a worse shape than

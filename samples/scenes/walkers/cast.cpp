@@ -1,6 +1,8 @@
 #include "samples/scenes/walkers/cast.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <map>
 
 #include "lib/base/near_names.h"
@@ -110,9 +112,11 @@ void name_limbs(const Member &member, clq_locomotion_def &def)
 
 }  // namespace
 
-uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
+namespace
 {
-    std::vector<std::string> names = names_of_clips(tmpl);
+
+uint32_t find_name(std::vector<std::string> names, const std::vector<std::string> &words)
+{
     for (std::string &name : names) name = own_name(name);
     const std::string prefix = common_prefix(names);
     for (const std::string &before : {std::string(), prefix})
@@ -121,6 +125,45 @@ uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &wor
             if (found != names.end()) return static_cast<uint32_t>(found - names.begin());
         }
     return CLQ_NONE;
+}
+
+const std::vector<std::string> walk_names = {"walk", "walking", "walking_a", "walk_loop"};
+
+// A person whose file has no walk takes those of the built-in citizen, if its joints can be bound to them.
+void borrow_gaits(Library &library, const SocialClass &one, clq_asset *asset)
+{
+    clq_asset_info info = clq_asset_info_init();
+    check(clq_asset_get_info(asset, &info));
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < info.clip_count; ++i) {
+        clq_clip_info clip = clq_clip_info_init();
+        check(clq_asset_get_clip(asset, i, &clip));
+        names.emplace_back(clip.name);
+    }
+    if (!one.clips.walk.empty() || find_name(names, walk_names) != CLQ_NONE) return;
+    clq_asset *source = nullptr;
+    check(clq_asset_builtin(library.context(), "citizen", &source));
+    const Own<clq_asset> held(source);
+    const char *const gaits[] = {"walk", "walk_slow", "jog", "turn", "stand", "stand_look"};
+    clq_clips_def def = clq_clips_def_init();
+    def.clips = gaits, def.clip_count = static_cast<uint32_t>(std::size(gaits));
+    clq_clips_report report = clq_clips_report_init();
+    if (clq_asset_add_clips(library.context(), asset, source, &def, &report) != CLQ_OK || report.joint_count < 10)
+        return;
+    clq_context_log(
+        library.context(), CLQ_LOG_WARNING,
+        (one.character + " has no clip named walk (it has: " + (names.empty() ? "none" : io::joined(names)) +
+         "): its people walk and stand by clips of the built-in citizen; --walk NAME where people walk on "
+         "tracks, or walk in the clips of a scenario's class, names one of its own, and --clips FILE of play "
+         "and prepare adds others")
+            .c_str());
+}
+
+}  // namespace
+
+uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words)
+{
+    return find_name(names_of_clips(tmpl), words);
 }
 
 SocialClass class_of(const std::string &character)
@@ -158,6 +201,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
     check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));
     const Own<clq_asset> held(asset);
     if (one.add_clips) one.add_clips(library, asset);
+    borrow_gaits(library, one, asset);
     clq_template *made = nullptr;
     check(clq_asset_build(library.context(), asset, 0, &made), one.character);
     return Own<clq_template>(made);
@@ -167,13 +211,14 @@ GaitClips gait_clips(const Member &member)
 {
     const SocialClass::Clips &clips = member.described.clips;
     GaitClips out;
-    out.walk = clip_of(member, clips.walk, {"walk", "walking", "walking_a", "walk_loop"});
+    out.walk = clip_of(member, clips.walk, walk_names);
     out.run = clip_of(member, clips.run, {"jog", "run", "running", "running_a", "run_loop"});
     out.slow_walk = clip_of(member, clips.slow_walk, {"walk_slow", "walking_slow", "walk_formal"});
     out.turn = clip_of(member, clips.turn, {"turn"});
     out.idles = idles_of(member);
-    if (out.walk != CLQ_NONE) return out;
     const std::vector<std::string> names = names_of_clips(member.tmpl);
+    if (out.walk == CLQ_NONE && names.size() == 1) out.walk = 0;  // that it walks is measured
+    if (out.walk != CLQ_NONE) return out;
     expect_limbs(member);
     throw Failure("the character " + member.described.character +
                   " has no clip named walk; it has: " + (names.empty() ? "none" : io::joined(names)) +
@@ -202,6 +247,28 @@ OwnLocomotion locomotion_of(Library &library, const Member &member)
     return OwnLocomotion(made);
 }
 
+namespace
+{
+
+// A walk that does not stay above its origin, as one cut from the middle of a way.
+void warn_of_way_aside(Library &library, const Member &member)
+{
+    const uint32_t walk = gait_clips(member).walk;
+    const PoseBox box = PosedTemplate(library, member.tmpl).box_of_clip(walk, 4);
+    if (box.is_none()) return;
+    const double aside = std::hypot(box.low[0] + box.high[0], box.low[2] + box.high[2]) / 2;
+    if (aside < 0.3 * box.size(1)) return;
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2g", aside * member.scale);
+    clq_context_log(library.context(), CLQ_LOG_WARNING,
+                    (member.described.character + ": its clip " + names_of_clips(member.tmpl)[walk] + " walks " + text +
+                     " m beside the origin, and so far beside their paths and shadows its people walk: --clips citizen "
+                     "of play and prepare gives a walk that stays on them")
+                        .c_str());
+}
+
+}  // namespace
+
 Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads)
 {
     Member member;
@@ -214,6 +281,7 @@ Member cast(Library &library, const SocialClass &described, Lod lod, Heads heads
         const double height = member.own && !has_size ? height_of(library, member.tmpl) : 0;
         if (height > 0) member.scale = person_m / height;
         member.locomotion = locomotion_of(library, member);
+        if (member.own) warn_of_way_aside(library, member);
     });
     return member;
 }

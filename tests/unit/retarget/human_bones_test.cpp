@@ -113,6 +113,56 @@ TEST(HumanBones, LetSkirtsFollowTheThighs)
     EXPECT_GT(bound.followers[0].share, bound.followers[1].share);
 }
 
+namespace
+{
+
+// The joint of `target` that each joint of a person of Mixamo is bound to.
+Names bound_to(const std::vector<Bone> &bones, const Names &names)
+{
+    const model::Rig target = named(rig_of(bones), names),
+                     source = named(rig_with_motion(person(1, 0)), conventions()[1].second);
+    Names out;
+    for (const retarget::JointMatch &match : retarget::bind_human(target, source, {}).matches)
+        out[std::string(source.node_names[match.source])] = std::string(target.node_names[match.target]);
+    return out;
+}
+
+}  // namespace
+
+// As Bob of Doom 3, whose pelvis carries the spine, and as a skeleton that names no hips.
+TEST(HumanBones, TakeForHipsWhatTheLegsHangOn)
+{
+    std::vector<Bone> bones = person(1, 0);
+    bones[1].parent = "back";
+    bones.insert(bones.begin() + 1, {"back", "hips", {0, 0.05f, 0}});
+    Names names = conventions()[4].second;
+    names["hips"] = "pubis", names["back"] = "pelvis";
+    Names bound = bound_to(bones, names);
+    EXPECT_EQ(bound["mixamorig:Hips"], "pubis");
+    EXPECT_EQ(bound["mixamorig:Spine"], "spine_01");
+    names["hips"] = "bind_0001", names["back"] = "bind_0002";
+    bound = bound_to(bones, names);
+    EXPECT_EQ(bound["mixamorig:Hips"], "bind_0001");
+    EXPECT_EQ(bound["mixamorig:Head"], "head");
+    EXPECT_EQ(bound.size(), 15u);
+}
+
+TEST(HumanBones, AreBoundBySidesWhereAFileIsMirrored)
+{
+    for (const float left : {1.0f, -1.0f}) {
+        std::vector<Bone> bones = person(1, 0);
+        for (Bone &bone : bones) bone.offset.x *= left;
+        bones.push_back({"toe.l", "foot.l", {0, -0.05f, 0.1f}}),
+            bones.push_back({"toe.r", "foot.r", {0, -0.05f, 0.1f}});
+        Names names = conventions()[0].second;
+        names["toe.l"] = "toes_l", names["toe.r"] = "toes_r";
+        Names bound = bound_to(bones, names);
+        EXPECT_EQ(bound["mixamorig:LeftUpLeg"], left > 0 ? "thigh_l" : "thigh_r");
+        EXPECT_EQ(bound["mixamorig:RightHand"], left > 0 ? "hand_r" : "hand_l");
+        EXPECT_EQ(bound.size(), 15u);
+    }
+}
+
 TEST(HumanBones, BindTheEndsOfSpinesOfOtherLengths)
 {
     const auto with_spine = [](std::vector<std::string> spine, const Names &names) {

@@ -98,15 +98,15 @@ TEST(TextureLooks, AreAlikeWhereNothingMoves)
     EXPECT_LT(after_shift(model, 0), 1e-6);
 }
 
-// The line lies in the middle region of seven, a band beside it has the other grey.
+// The line lies in the middle of a region of fourteen, a band beside it has the other grey.
 TEST(TextureLooks, OfALineThatMovesDifferByItsShareOfTheRegion)
 {
     model::Model model = sheet(40);
     for (const double apart : {60.0, 120.0, 220.0}) {
-        paint(model, [apart](double u, double) { return grey(u < 0.5 ? 20 : 20 + apart); });
-        for (const float by : {0.025f, 0.05f}) {
+        paint(model, [apart](double u, double) { return grey(u < 7.5 / 14 ? 20 : 20 + apart); });
+        for (const float by : {0.0125f, 0.025f}) {
             const lod::LookDifference found = difference(model, [by](glm::vec2 &uv) { uv.x += by; });
-            const double expected = 7 * double(by) * std::pow(apart / 255, 0.75);
+            const double expected = 14 * double(by) * std::pow(apart / 255, 0.75);
             EXPECT_NEAR(found.colours[0], expected, 0.15 * expected) << apart << ' ' << by;
         }
     }

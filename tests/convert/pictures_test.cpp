@@ -1,0 +1,62 @@
+// Materials of old files that name no picture, and pictures with holes.
+#include <fstream>
+
+#include <assimp/material.h>
+#include <assimp/mesh.h>
+#include <gtest/gtest.h>
+
+#include "samples/convert/picture_codec.h"
+#include "samples/convert/scene.h"
+
+namespace convert_test
+{
+namespace
+{
+
+// One material of this colour on a mesh with bones and texture coordinates.
+struct Skinned {
+    aiScene from;
+    explicit Skinned(aiColor4D colour)
+    {
+        auto *material = new aiMaterial;
+        material->AddProperty(&colour, 1, AI_MATKEY_COLOR_DIFFUSE);
+        from.mMaterials = new aiMaterial *[from.mNumMaterials = 1] { material };
+        auto *mesh = new aiMesh;
+        mesh->mNumVertices = 1, mesh->mTextureCoords[0] = new aiVector3D[1];
+        mesh->mBones = new aiBone *[mesh->mNumBones = 1] { new aiBone };
+        from.mMeshes = new aiMesh *[from.mNumMeshes = 1] { mesh };
+    }
+};
+
+TEST(PicturesOfMaterials, AreAskedForWhereAGreySurfaceNamesNone)
+{
+    const convert::Options options;
+    for (const float red : {1.0f, 0.5f}) {
+        const Skinned skinned({red, 1, 1, 1});
+        convert::Scene scene{skinned.from, options, "person.b3d"};
+        convert::add_materials(scene);
+        ASSERT_EQ(scene.warnings.size(), red == 1 ? 1u : 0u);
+        if (red == 1)
+            EXPECT_EQ(scene.warnings[0], "material 'material 1' names no picture: --picture FILE gives it one");
+    }
+}
+
+TEST(PicturesOfMaterials, WithHolesAreTestedByAlpha)
+{
+    const std::string path = testing::TempDir() + "claque-holes.png";
+    for (const int alpha : {127, 128}) {
+        std::ofstream(path, std::ios::binary)
+            << convert::png_of(std::string("\x10\x20\x30\xff\x10\x20\x30", 7) + static_cast<char>(alpha), 2, 1);
+        convert::Options options;
+        options.picture = path;
+        const Skinned skinned({1, 1, 1, 1});
+        convert::Scene scene{skinned.from, options, "person.b3d"};
+        convert::add_materials(scene);
+        const convert::Json &material = scene.glb.json["materials"][0];
+        EXPECT_EQ(material.value("alphaMode", "OPAQUE"), alpha < 128 ? "MASK" : "OPAQUE");
+        EXPECT_TRUE(scene.warnings.empty());
+    }
+}
+
+}  // namespace
+}  // namespace convert_test
