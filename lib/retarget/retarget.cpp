@@ -7,6 +7,7 @@
 #include "lib/retarget/new_clips.h"
 #include "lib/retarget/pose_check.h"
 #include "lib/retarget/source_rest.h"
+#include "lib/retarget/standing_rest.h"
 
 namespace claque::retarget
 {
@@ -124,28 +125,30 @@ Report add_clips(model::Rig &target, const model::Rig &source, const Options &as
     check(asked);
     Options options = asked;
     Report report;
+    const std::optional<model::Rig> standing = standing_rest(target);
+    const model::Rig &posed = standing ? *standing : target;
     const std::vector<uint32_t> clips = wanted_clips(source, options);
-    std::vector<JointMatch> matches = match_joints(target, source, options, report.warnings);
+    std::vector<JointMatch> matches = match_joints(posed, source, options, report.warnings);
     std::vector<std::string> notes;
-    RestChoice rest = choose_rest(target, source, matches, options, clips, notes);
+    RestChoice rest = choose_rest(posed, source, matches, options, clips, notes);
     report.mode = options.mode;
     if (options.mode == Mode::automatic) {
         const bool whole =
             options.start_s == 0 && options.close_s == 0 && options.end_s == std::numeric_limits<double>::infinity();
         report.mode = whole && rest.channels ? Mode::channels : Mode::motion;
     }
-    if (report.mode == Mode::motion && options.joints.empty() && drop_armatures(target, source, matches)) {
+    if (report.mode == Mode::motion && options.joints.empty() && drop_armatures(posed, source, matches)) {
         notes.clear();
-        rest = choose_rest(target, source, matches, options, clips, notes);
+        rest = choose_rest(posed, source, matches, options, clips, notes);
     }
     append(report.warnings, notes);
     report.joint_count = static_cast<uint32_t>(matches.size());
     report.clip_count = static_cast<uint32_t>(clips.size());
-    PoseCheck looked(target, source, matches);
+    PoseCheck looked(posed, source, matches);
     NewClips added;
     for (const uint32_t clip : clips) {
         if (report.mode == Mode::channels) copy_channels(target, source, matches, clip, added);
-        else transfer(target, source, matches, rest, options, clip, added, looked);
+        else transfer(posed, source, matches, rest, options, clip, added, looked);
         copy_markers(source, clip, options, report.mode, added);
         const std::string name = options.prefix + source.clip_names[clip].c_str();
         added.names.push_back(unique_name(target, added, name, report));

@@ -39,8 +39,15 @@ Converted unpacked(const std::string &what, std::string bytes)
 
 Converted convert_file(const std::string &path, const Options &options, const Limits &limits)
 {
-    const std::string what = "Assimp, reading " + path + ",";
-    return unpacked(what, run_in_child(what, limits, [&] { return packed(import_file(path, options)); }));
+    const std::string what = "reading " + path + " by Assimp", binary_mesh = ".mesh";
+    try {
+        return unpacked(what, run_in_child(what, limits, [&] { return packed(import_file(path, options)); }));
+    } catch (const scenes::Failure &failure) {
+        if (path.size() < binary_mesh.size() || path.substr(path.size() - binary_mesh.size()) != binary_mesh) throw;
+        throw scenes::Failure(
+            failure.what() +
+            std::string("; OgreXMLConverter (package ogre-1.12-tools) makes Ogre XML of it, which is read"));
+    }
 }
 
 #else

@@ -13,8 +13,12 @@ void warn_of_likeness(Library &library, const clq_template *tmpl)
 {
     clq_template_info info = clq_template_info_init();
     check(clq_template_get_info(tmpl, &info));
-    if (info.clip_count > 0) return;
-    const std::string who = std::string("'") + info.name + "' has no clip", clips = "--clips FILE adds clips";
+    clq_clip_info clip = clq_clip_info_init();
+    for (uint32_t i = 0; i < info.clip_count; ++i)
+        if (clq_template_get_clip(tmpl, i, &clip) != CLQ_OK || clip.duration_s > 0) return;
+    const std::string who = std::string("'") + info.name + "' has no clip" +
+                            (info.clip_count > 0 ? " longer than 0 s" : ""),
+                      clips = "--clips FILE adds clips, --clips citizen those of the built-in citizen";
     const std::string sentence =
         info.zone_count > 1 ? who + ", so its crowd stands alike: " + clips
                             : who + " and one zone, so its crowd looks alike: " + clips +

@@ -6,6 +6,7 @@
 #include "tests/cli/help.h"
 #include "tests/cli/run.h"
 #include "tests/support/gltf_maker.h"
+#include "tests/support/written_motion.h"
 
 namespace cli_test
 {
@@ -138,14 +139,27 @@ TEST_F(Warnings, SayThatPreparedFilesKeepTheirColours)
 TEST_F(Warnings, OfACrowdThatLooksAlikeNameClipsAndZones)
 {
     const std::string alike =
-        "'person' has no clip and one zone, so its crowd looks alike: --clips FILE adds clips, "
-        "and --colours wild, or a zone map of its picture (claque prepare --propose N)";
+        "'person' has no clip and one zone, so its crowd looks alike: --clips FILE adds clips, --clips citizen those "
+        "of "
+        "the built-in citizen, and --colours wild, or a zone map of its picture (claque prepare --propose N)";
     for (const auto &words : {commands_[0], commands_[1]}) EXPECT_EQ(times(claque(words).err, alike), 1u);
     const auto rendered = [&](const std::string &who, const char *count) {
         return claque({"render", who, "--count", count, "--size", "64x48", "--out", path("a.png")}).err;
     };
     EXPECT_EQ(times(rendered(file_, "1"), "alike"), 0u);
     EXPECT_EQ(times(rendered("citizen", "2"), "alike"), 0u);
+    // A clip of one key is a pose.
+    for (const float end_s : {0.0f, 1.0f}) {
+        Maker maker;
+        maker.triangle();
+        claque::testing::ClipMaker clip(maker, "pose");
+        const std::vector<float> keys = end_s > 0 ? std::vector<float>{0, end_s} : std::vector<float>{0};
+        clip.add(0, "translation", "LINEAR", keys, std::vector<float>(3 * keys.size()));
+        clip.finish();
+        const auto bytes = maker.glb();
+        write("posed.glb", std::string(bytes.begin(), bytes.end()));
+        EXPECT_EQ(times(rendered(path("posed.glb"), "2"), "'posed' has no clip longer than 0 s"), end_s > 0 ? 0u : 1u);
+    }
 }
 
 }  // namespace

@@ -78,6 +78,8 @@ TEST_F(ConvertCommand, WhatIsNoModelIsRefusedByName)
     expect_refused(file_of("notes.txt", "nothing"), {"notes.txt", "Assimp"});
     expect_refused(file_of("empty.obj", ""), {"empty.obj"});
     expect_refused(path("missing.fbx"), {"missing.fbx"});
+    expect_refused(file_of("man.mesh", "[MeshSerializer_v1.100]"),
+                   {"by Assimp: ", "OgreXMLConverter (package ogre-1.12-tools)"});
 }
 
 TEST_F(ConvertCommand, MoreMemoryThanAllowedIsOneSentence)

@@ -211,24 +211,6 @@ TEST(Transfer, FeetStandOnTheGroundOfTheCharacter)
     EXPECT_NEAR(lowest, 0, 0.01);
 }
 
-// Files rest in a jump, or round their hips.
-TEST(Transfer, FeetStandOnTheGroundOfACharacterThatRestsAboveOrBelowIt)
-{
-    model::Rig source = rig_of(person(1, 0));
-    add_motion(source, "stand", 12, 1, 0.03f);
-    for (const float higher : {0.3f, -0.95f}) {
-        std::vector<Bone> bones = person(1, 0);
-        bones[0].offset.y += higher;
-        model::Rig target = rig_of(bones);
-        retarget::add_clips(target, source, motion_at_keys());
-        double lowest = 1e9;
-        for (uint32_t k = 0; k < 12; ++k)
-            for (const char *foot : {"foot.l", "foot.r"})
-                lowest = std::min(lowest, posed(target, 0, k).of(target, foot).y);
-        EXPECT_NEAR(lowest, 0, 0.01) << higher;
-    }
-}
-
 TEST(Transfer, InPlaceEndsOverItsStartAndKeepTravelsTheScaledDistance)
 {
     const model::Rig source = source_of(1, 0);
