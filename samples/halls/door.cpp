@@ -26,7 +26,13 @@ Passage through_a_door(double width_m, size_t count, const Trial &trial)
     const Floor hall = hall_with_opening(width_m);
     Crowd crowd(hall, trial);
     const double tick_s = trial.tick_s;
-    while (crowd.people.size() < count) crowd.add(crowd.number(-7.5, 7.5), crowd.number(-15.5, -1));
+    const auto speed = [&] {
+        return trial.most_m_s > 0 ? static_cast<float>(crowd.number(trial.least_m_s, trial.most_m_s)) : 0;
+    };
+    while (crowd.people.size() < count) {
+        const double z = crowd.number(-15.5, -1), x = crowd.number(-7.5, 7.5);
+        crowd.add(x, z, speed());
+    }
     for (const Person &one : crowd.people) crowd.go(one, 0, 11.5, 0.5f);
     Passage passage;
     double full_s = 0, last_s = NAN;

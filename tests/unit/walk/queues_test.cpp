@@ -51,6 +51,20 @@ TEST(Queues, PassDoorsAsMeasuredAndNobodyTouchesAnother)
     }
 }
 
+// As samples/scenarios/evacuation asks.
+TEST(Queues, PassDoorsAsMeasuredWherePeopleWantToBeFast)
+{
+    for (halls::Trial trial : trials()) {
+        trial.least_m_s = 1.3, trial.most_m_s = 1.9;
+        for (const halls::Door &door : halls::doors) {
+            const halls::Passage passage = halls::through_a_door(door.width_m, door.people, trial);
+            EXPECT_EQ(passage.left, 0u) << door.width_m;
+            EXPECT_GE(passage.flow, door.least) << door.width_m;
+            EXPECT_LE(passage.flow, 1.02 * door.most) << door.width_m;  // 1.93 through 4 m with one seed
+        }
+    }
+}
+
 TEST(Queues, WalkAsFastAsPeopleDoAtTheirDensity)
 {
     for (const halls::Trial &trial : trials())
