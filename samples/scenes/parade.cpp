@@ -68,8 +68,8 @@ public:
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
         line_up(static_cast<int>(crowd_options.count));
-        measure_clips(posed, crowd_options.count);
         for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
+        measure_clips(posed, crowd_options.count);
         lay_ground();
     }
 
@@ -115,7 +115,9 @@ private:
             if (rows > columns + 1) continue;  // rows far behind are not visible
             const double distance = fit({room(rows, columns)}, usual_aspect, pitch_of(rows)).distance;
             if (nearest > 0 && distance >= nearest) continue;
-            nearest = distance, columns_ = columns, rows_ = rows;
+            nearest = distance;
+            columns_ = columns;
+            rows_ = rows;
         }
     }
 
@@ -156,8 +158,10 @@ private:
                 left = std::min(left, px / (f.distance + ahead));
                 right = std::max(right, px / (f.distance + ahead));
             }
-            if (round > 0)  // equal margins
-                f.target_x += (left + right) / 2 * f.distance, f.target_y += (top + bottom) / 2 * f.distance;
+            if (round > 0) {  // equal margins
+                f.target_x += (left + right) / 2 * f.distance;
+                f.target_y += (top + bottom) / 2 * f.distance;
+            }
             f.distance = next;
         }
         return f;
@@ -221,15 +225,6 @@ private:
         return play;
     }
 
-    // Of its way, from its Reference Point, if its clip leads it out of its place; else of the character.
-    std::array<double, 2> middle_of(uint32_t person) const
-    {
-        const PoseBox &box = clip_boxes_[person % clip_boxes_.size()];
-        const std::array<double, 2> own = {extent_.middle_x, extent_.middle_z},
-                                    way = {(box.low[0] + box.high[0]) / 2, (box.low[2] + box.high[2]) / 2};
-        return !box.is_none() && std::hypot(way[0] - own[0], way[1] - own[1]) > 0.6 ? way : own;
-    }
-
     void enter(uint32_t person, uint32_t count)
     {
         const int row = static_cast<int>(person) / columns_, column = static_cast<int>(person) % columns_;
@@ -237,8 +232,8 @@ private:
         const double x =
             (column - (here - 1) * 0.5) * across_ + (row % 2 == 1 && here == columns_ ? across_ * 0.25 : 0);
         const double z = -row * deep_;
-        const auto [middle_x, middle_z] = middle_of(person);
-        const clq_transform place = stand(x - middle_x, -extent_.ground, z - middle_z, 0, 1, float(extent_.scale));
+        clq_transform place =
+            stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
         scene_crowd_.enter({character_.tmpl, place, play(person)});
         // Leaves out spread arms of the rest pose, whose shadow is negligible.
         const double body = std::max(extent_.half_z, 0.22 * extent_.height);
@@ -270,7 +265,8 @@ private:
         for (uint32_t row = 0; row < cells; ++row)
             for (uint32_t column = 0; column < cells; ++column) {
                 const uint32_t a = row * (cells + 1) + column, below = a + cells + 1;
-                ground_.triangle(a, below, below + 1), ground_.triangle(a, below + 1, a + 1);
+                ground_.triangle(a, below, below + 1);
+                ground_.triangle(a, below + 1, a + 1);
             }
     }
 

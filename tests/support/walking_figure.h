@@ -18,7 +18,7 @@ struct FigureTraits {
     float feet_deg = 0;            // both are turned by this from where it faces
     bool runs = true;              // or its clip 'Run' only stands
     bool has_run = true;           // or its only clip is 'Walk'
-    float aside_m = 0;             // so far behind its origin it walks
+    float offset_m = 0;            // its clips move it behind its origin by this
     bool strange_names = false;    // of the legs' nodes
     bool knees = true;             // or each leg is one node
     bool feet = true;              // or they have the names of controls
@@ -28,6 +28,7 @@ struct FigureTraits {
     bool arms = false;
     float alpha = 1;                                   // below 1 it blends
     const char *before_clips = "", *after_clips = "";  // of the names of its clips
+    const char *walk = "Walk";
 };
 
 class WalkingFigure
@@ -58,7 +59,7 @@ public:
                                      {"rotation", traits.lies ? flat : about_y},
                                      {"scale", {size, size, size}}});
         maker_.json["scenes"] = Json::array({{{"nodes", {root_}}}});
-        gait("Walk", 1, true);
+        gait(traits.walk, 1, true);
         if (traits.has_run) gait("Run", 0.5f, traits.runs);
     }
 
@@ -124,8 +125,8 @@ private:
         if (traits_.rest_deg != 0 || turned != 0)
             clip.add(root_, "rotation", "LINEAR", {0, length_s / 2, length_s},
                      turns({0, 1, 0}, {from - turned / 2, from, from + turned / 2}));
-        const float away = -traits_.aside_m;
-        if (away != 0) clip.add(root_, "translation", "LINEAR", {0, length_s}, {0, 0, away, 0, 0, away});
+        const float z = -traits_.offset_m;
+        if (z != 0) clip.add(root_, "translation", "LINEAR", {0, length_s}, {0, 0, z, 0, 0, z});
         clip.finish();
     }
 

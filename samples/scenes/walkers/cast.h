@@ -8,6 +8,7 @@
 #include "samples/scenes/library.h"
 #include "samples/scenes/scene_crowd.h"
 #include "samples/scenes/social_classes.h"
+#include "samples/scenes/walkers/gaits.h"
 
 namespace scenes::walkers
 {
@@ -27,10 +28,6 @@ struct Member {
     double scale = 1;  // to the size of a person, unless the class has a size of its own
 };
 
-// The clip whose name is one of these words, alone, after a separator or after a word with which most clips begin
-// ("Man_Walk"), whatever the case; CLQ_NONE: there is none.
-uint32_t find_clip(const clq_template *tmpl, const std::vector<std::string> &words);
-
 // A class of its own for a character.
 SocialClass class_of(const std::string &character);
 
@@ -43,15 +40,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one);
 // Its template: a built-in character or a file.
 void take_template(Library &library, Member &member, Lod lod, Heads heads = Heads::still);
 
-// The clips that the class names, or those with usual names; CLQ_NONE: it has none, but it has a walk. Throws Failure
-// with the names of the clips that a character lacks.
-struct GaitClips {
-    uint32_t walk = CLQ_NONE, run = CLQ_NONE, slow_walk = CLQ_NONE, turn = CLQ_NONE;
-    std::vector<uint32_t> idles;
-};
-GaitClips gait_clips(const Member &member);
-
-// The same, measured.
+// Its gaits (gaits.h), measured.
 OwnLocomotion locomotion_of(Library &library, const Member &member);
 
 // Its template and its locomotion.
