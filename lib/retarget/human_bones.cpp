@@ -4,6 +4,8 @@
 #include <map>
 #include <string_view>
 
+#include <glm/geometric.hpp>
+
 #include "lib/model/limb_names.h"
 
 namespace claque::retarget
@@ -74,7 +76,8 @@ uint32_t above_legs(const model::Rig &rig, const Body &body)
     return node;
 }
 
-// The hips by their name, if the legs hang on them, else what the legs hang on: some pelvises carry the spine alone.
+// Hips: the joint of that name if the legs hang on it, else the joint on which they hang. Some pelvises carry the spine
+// alone.
 void add_hips(const model::Rig &rig, Body &body)
 {
     const uint32_t legs = above_legs(rig, body);
@@ -101,7 +104,8 @@ void add_middle(const model::Rig &rig, uint32_t node, std::string_view p, Body &
     else if (has_any(p, {"spine", "chest", "torso", "abdomen", "waist", "lowerback"})) extend(body.spine);
 }
 
-// Some exporters mirror a person and keep its names. Toes point ahead, and left is to the left of that.
+// Swaps left and right of a skeleton that an exporter mirrored without its names: toes point ahead, and the left thigh
+// lies to the left of that. A rest whose legs do not hang, such as one with all bones along an axis, changes nothing.
 void swap_mirrored_sides(const model::Rig &rig, Body &body)
 {
     const GlobalPose rest = rest_pose(rig);
@@ -110,6 +114,11 @@ void swap_mirrored_sides(const model::Rig &rig, Body &body)
         return a == body.bones.end() || b == body.bones.end() ? glm::dvec3(0)
                                                               : rest.positions[b->second] - rest.positions[a->second];
     };
+    for (const char *side : {"left", "right"}) {
+        const std::string name = side;
+        const glm::dvec3 leg = way((name + "UpperLeg").c_str(), (name + "Foot").c_str());
+        if (!(-leg.y > 0.7 * glm::length(leg))) return;
+    }
     const glm::dvec3 ahead = way("leftFoot", "leftToes") + way("rightFoot", "rightToes"),
                      left = way("rightUpperLeg", "leftUpperLeg");
     // The sine of the angle by which left is to the left, times lengths.

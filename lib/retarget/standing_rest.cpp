@@ -33,7 +33,7 @@ struct Heights {
 };
 
 // False where the matrix mirrors or flattens.
-bool parts_of(const math::Affine &matrix, math::Trs &out)
+bool decompose(const math::Affine &matrix, math::Trs &out)
 {
     glm::mat3 turn;
     for (int k = 0; k < 3; ++k) {
@@ -54,9 +54,9 @@ std::optional<model::Rig> standing_rest(const model::Rig &rig)
 {
     if (rig.palette.empty() || !(Heights(rig).above() > in_the_air)) return std::nullopt;
     std::vector<const math::Affine *> bound(rig.node_count());
-    const math::Affine as_it_is;  // of rigid parts
+    const math::Affine identity;  // of rigid parts
     for (const model::PaletteEntry &entry : rig.palette)
-        if (!bound[entry.node] && !std::equal(entry.inverse_bind.c, std::end(entry.inverse_bind.c), as_it_is.c))
+        if (!bound[entry.node] && !std::equal(entry.inverse_bind.c, std::end(entry.inverse_bind.c), identity.c))
             bound[entry.node] = &entry.inverse_bind;
     model::Rig out(rig, std::pmr::get_default_resource());
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
@@ -65,7 +65,7 @@ std::optional<model::Rig> standing_rest(const model::Rig &rig)
         // A skin is bound in the space of the node above its topmost joint.
         math::Affine local = math::inverse(*bound[i]);
         if (parent != model::none && bound[parent]) local = math::mul(*bound[parent], local);
-        if (!parts_of(local, out.rest[i])) return std::nullopt;
+        if (!decompose(local, out.rest[i])) return std::nullopt;
     }
     if (!(std::fabs(Heights(out).above()) < on_the_ground)) return std::nullopt;
     return out;

@@ -4,6 +4,7 @@
 
 #include "samples/convert/import.h"
 #include "samples/io/json.h"
+#include "samples/io/regular_file.h"
 #include "samples/scenes/check.h"
 
 namespace convert
@@ -35,18 +36,26 @@ Converted unpacked(const std::string &what, std::string bytes)
     return out;
 }
 
+// Assimp reads one version of several.
+bool is_binary_mesh_of_ogre(const std::string &path)
+{
+    char begin[18] = {};  // a number of two bytes, and the text
+    const io::RegularFile in(path, most_picture_bytes);
+    return in.wrong().empty() && in.read(0, begin, sizeof begin) &&
+           std::string(begin, sizeof begin).find("[MeshSerializer_") != std::string::npos;
+}
+
 }  // namespace
 
 Converted convert_file(const std::string &path, const Options &options, const Limits &limits)
 {
-    const std::string what = "reading " + path + " by Assimp", binary_mesh = ".mesh";
+    const std::string what = "reading " + path + " by Assimp";
     try {
         return unpacked(what, run_in_child(what, limits, [&] { return packed(import_file(path, options)); }));
     } catch (const scenes::Failure &failure) {
-        if (path.size() < binary_mesh.size() || path.substr(path.size() - binary_mesh.size()) != binary_mesh) throw;
+        if (!is_binary_mesh_of_ogre(path)) throw;
         throw scenes::Failure(
-            failure.what() +
-            std::string("; OgreXMLConverter (package ogre-1.12-tools) makes Ogre XML of it, which is read"));
+            failure.what() + std::string("; OgreXMLConverter (package ogre-1.12-tools) makes Ogre XML, which is read"));
     }
 }
 

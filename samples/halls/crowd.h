@@ -14,7 +14,7 @@ constexpr double pi = 3.14159265358979323846;
 struct Trial {
     unsigned seed = 1;
     double tick_s = 0.05;
-    double least_m_s = 0, most_m_s = 0;  // of the speeds that people who leave want; 0: Weidmann's
+    double least_m_s = 0, most_m_s = 0;  // range of preferred speeds before a door; 0: Weidmann's
 };
 
 struct Person {

@@ -64,7 +64,8 @@ Meeting meet_at_a_door(double width_m, size_t count, const Trial &trial)
     Crowd crowd(hall, trial);
     while (crowd.people.size() < 2 * count) {
         const double side = crowd.people.size() % 2 ? 1 : -1;
-        crowd.add(crowd.number(-3, 3), 0.15 + side * crowd.number(1, 4));
+        const double z = 0.15 + side * crowd.number(1, 4), x = crowd.number(-3, 3);
+        crowd.add(x, z);
     }
     for (const Person &one : crowd.people) crowd.go(one, 0, one.z > 0 ? -11.5 : 11.5, 0.5f);
     Meeting meeting;

@@ -78,8 +78,10 @@ TEST_F(ConvertCommand, WhatIsNoModelIsRefusedByName)
     expect_refused(file_of("notes.txt", "nothing"), {"notes.txt", "Assimp"});
     expect_refused(file_of("empty.obj", ""), {"empty.obj"});
     expect_refused(path("missing.fbx"), {"missing.fbx"});
-    expect_refused(file_of("man.mesh", "[MeshSerializer_v1.100]"),
-                   {"by Assimp: ", "OgreXMLConverter (package ogre-1.12-tools)"});
+    const std::string converter = "OgreXMLConverter (package ogre-1.12-tools)";
+    expect_refused(file_of("man.mesh", std::string("\0\x10[MeshSerializer_v1.100]", 25)), {"by Assimp: ", converter});
+    EXPECT_EQ(claque({"convert", file_of("text.mesh", "nothing"), "--out", path("new.glb")}).err.find(converter),
+              std::string::npos);
 }
 
 TEST_F(ConvertCommand, MoreMemoryThanAllowedIsOneSentence)

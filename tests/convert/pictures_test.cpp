@@ -41,6 +41,23 @@ TEST(PicturesOfMaterials, AreAskedForWhereAGreySurfaceNamesNone)
     }
 }
 
+// Files with pictures have plain materials on purpose.
+TEST(PicturesOfMaterials, AreAskedForOnlyWhereNoMaterialNamesOne)
+{
+    const convert::Options options;
+    Skinned skinned({1, 1, 1, 1});
+    auto *pictured = new aiMaterial;
+    const aiString name("lost.png");
+    pictured->AddProperty(&name, AI_MATKEY_TEXTURE_DIFFUSE(0));
+    aiMaterial *const plain = skinned.from.mMaterials[0];
+    delete[] skinned.from.mMaterials;
+    skinned.from.mMaterials = new aiMaterial *[skinned.from.mNumMaterials = 2] { plain, pictured };
+    convert::Scene scene{skinned.from, options, "person.b3d"};
+    convert::add_materials(scene);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("'lost.png'"), std::string::npos);
+}
+
 TEST(PicturesOfMaterials, WithHolesAreTestedByAlpha)
 {
     const std::string path = testing::TempDir() + "claque-holes.png";

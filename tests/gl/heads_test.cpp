@@ -151,7 +151,7 @@ protected:
         return found;
     }
 
-    // Where a character is 90 pixels long or more, as its shape alone counts farther away (docs/levels.md), and not so
+    // Where a character is 87 pixels long or more, as its shape alone counts farther away (docs/levels.md), and not so
     // near that the eye is in the head.
     void expect_faces(double most, uint32_t least_levels)
     {
@@ -159,7 +159,7 @@ protected:
         for (uint32_t level = 1; level < tmpl_->levels.size(); ++level) {
             const double distance_m = double(tmpl_->levels[level].switch_distance_m);
             if (distance_m < 4 * head_.half) continue;
-            if (90 * report_[level].error_m > report_[level].deviation.look.longest_m) break;
+            if (87 * report_[level].error_m > report_[level].deviation.look.longest_m) break;
             const Excess found = excess(level, distance_m);
             EXPECT_LE(found.mean, 0.05) << report_[level].triangles << " triangles from " << distance_m << " m";
             EXPECT_LE(found.face_or_back, most) << report_[level].triangles << " triangles from " << distance_m << " m";
@@ -206,10 +206,9 @@ TEST_P(HeadsOfPeople, LookAsAtTheFinestLevel)
     if (drawers_.size() == 2) expect_faces(GetParam().most, GetParam().levels);
 }
 
-// All levels of the others begin farther away.
 INSTANTIATE_TEST_SUITE_P(BuiltIn, HeadsOfPeople,
-                         testing::Values(Character{"citizen", 0.05, 1}, Character{"patrician", 0.05, 0},
-                                         Character{"decurion", 0.05, 0}, Character{"plebeian", 0.05, 0}),
+                         testing::Values(Character{"citizen", 0.05, 3}, Character{"patrician", 0.05, 3},
+                                         Character{"decurion", 0.05, 3}, Character{"plebeian", 0.05, 3}),
                          name_of);
 
 class HeadsOfFiles : public Heads, public testing::WithParamInterface<Character>
@@ -226,9 +225,9 @@ TEST_P(HeadsOfFiles, LookAsAtTheFinestLevel)
 }
 
 INSTANTIATE_TEST_SUITE_P(Are, HeadsOfFiles,
-                         testing::Values(Character{"compressed/valid-Asian_F_1_Busi.glb", 0.05, 3},
+                         testing::Values(Character{"compressed/valid-Asian_F_1_Busi.glb", 0.05, 4},
                                          Character{"conformance-real/yuka-soldier.glb", 0.05, 1},
-                                         Character{"hipoly/Man_King.glb", 0.05, 1}),
+                                         Character{"hipoly/Man_King.glb", 0.05, 2}),
                          name_of);
 
 }  // namespace

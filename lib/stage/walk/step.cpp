@@ -39,8 +39,8 @@ constexpr uint64_t look_again_ticks = 10;
 // A turn is no wider than its corner is far: a walker that is faster circles about a corner that it cannot reach.
 constexpr float reached_m = 0.05f;
 
-// Who was long held up passes an opening at no more than this: otherwise people who want 1.9 m/s pass doors of 1 and
-// 2 m faster than any were measured. Few of those who want 1.34 m/s would be faster there.
+// A walker that has crept for 1.5 s (wide_m grows by widening_m_s) passes an opening at this speed at most. Otherwise
+// crowds with preferred speeds up to 1.9 m/s pass doors of 1 and 2 m faster than measured.
 constexpr float jammed_m = 1, passing_m_s = 1.1f, opening_reach_m = 1;
 
 float between(const float *a, const Float3 &b) { return length_of(a[0] - b[0], a[2] - b[2]); }

@@ -130,7 +130,7 @@ Names bound_to(const std::vector<Bone> &bones, const Names &names)
 }  // namespace
 
 // As Bob of Doom 3, whose pelvis carries the spine, and as a skeleton that names no hips.
-TEST(HumanBones, TakeForHipsWhatTheLegsHangOn)
+TEST(HumanBones, BindTheHipsToTheJointAboveBothLegs)
 {
     std::vector<Bone> bones = person(1, 0);
     bones[1].parent = "back";
@@ -147,7 +147,7 @@ TEST(HumanBones, TakeForHipsWhatTheLegsHangOn)
     EXPECT_EQ(bound.size(), 15u);
 }
 
-TEST(HumanBones, AreBoundBySidesWhereAFileIsMirrored)
+TEST(HumanBones, SwapLeftAndRightOfAMirroredSkeleton)
 {
     for (const float left : {1.0f, -1.0f}) {
         std::vector<Bone> bones = person(1, 0);
@@ -160,6 +160,11 @@ TEST(HumanBones, AreBoundBySidesWhereAFileIsMirrored)
         EXPECT_EQ(bound["mixamorig:LeftUpLeg"], left > 0 ? "thigh_l" : "thigh_r");
         EXPECT_EQ(bound["mixamorig:RightHand"], left > 0 ? "hand_r" : "hand_l");
         EXPECT_EQ(bound.size(), 15u);
+        // All bones along z are no pose, whatever they look like.
+        for (Bone &bone : bones)
+            if (const std::string name = bone.name; name.find("leg") != 0)
+                bone.offset = {0, 0, glm::length(bone.offset)};
+        EXPECT_EQ(bound_to(bones, names)["mixamorig:LeftUpLeg"], "thigh_l");
     }
 }
 

@@ -43,8 +43,10 @@ size_t count_in(const Crowd &crowd, double x0, double z0, double x1, double z1)
 void fill(Crowd &crowd, size_t count, double x0, double z0, double x1, double z1)
 {
     const size_t wanted = crowd.people.size() + count;
-    for (int tries = 0; crowd.people.size() < wanted && tries < 1000000; ++tries)
-        crowd.add(crowd.number(x0, x1), crowd.number(z0, z1));
+    for (int tries = 0; crowd.people.size() < wanted && tries < 1000000; ++tries) {
+        const double z = crowd.number(z0, z1), x = crowd.number(x0, x1);
+        crowd.add(x, z);
+    }
     ASSERT_EQ(crowd.people.size(), wanted);
 }
 
