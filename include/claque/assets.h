@@ -240,6 +240,7 @@ CLQ_DEFINE_ZERO_INIT(clq_clips_report)
  * log and the asset's warnings name the joints that are not bound, and the clips that show a head below the hips, feet
  * above the ground or arms in the trunk where the clips' own skeleton does not. A clip whose name is taken gets a
  * number.
+ * A character that rests above the ground, as one saved in a jump, turns from the pose in which its skin was bound.
  *   source       any asset with clips: glTF with or without meshes, BVH, a built-in character; not kept
  *   def          NULL means clq_clips_def_init()
  *   out_report   made by clq_clips_report_init; may be NULL

@@ -101,7 +101,7 @@ void Walkers::pass_rank_on(uint32_t i)
     }
 }
 
-// Whether walls that face each other leave little room somewhere on the way to another.
+// Whether walls that face each other leave little room within `reach` in a direction.
 bool Walkers::is_narrow(uint32_t i, Flat towards, float reach) const
 {
     const dtCrowdAgent &a = agent(i);
