@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samples/scenes/camera_fit.h"
+#include "samples/scenes/clip_way.h"
 #include "samples/scenes/light.h"
 #include "samples/scenes/posed_template.h"
 #include "samples/scenes/random.h"
@@ -17,7 +19,7 @@ namespace
 {
 
 constexpr double size_m = 1.75;  // the longest side of a character, once scaled
-constexpr double fov_deg = 30, half_fov = fov_deg / 2 * 0.017453292519943295;
+constexpr double fov_deg = 30;
 
 // A character in metres: its extent round its Reference Point.
 struct Extent {
@@ -68,8 +70,9 @@ public:
         across_ = std::max(0.75, 2.3 * extent_.half_x);
         deep_ = std::max(1.0, 2.2 * extent_.half_z);
         line_up(static_cast<int>(crowd_options.count));
-        for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
         measure_clips(posed, crowd_options.count);
+        for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
+        place(0);
         lay_ground();
     }
 
@@ -91,7 +94,12 @@ public:
         return true;
     }
 
-    void place(double) override {}
+    void place(double time_s) override
+    {
+        moving_.clear();
+        if (paints_people_)
+            for (const uint32_t person : travellers_) lay_rim(person, time_s);
+    }
 
     void prepare(const Gl &gl) override { shadows_.prepare(gl); }
 
@@ -101,7 +109,7 @@ public:
         g.Disable(gl::lighting);
         ground_.draw(g);
         sky_.draw(g, eye);  // lighting is on again
-        if (paints_people_) shadows_.draw(g);
+        if (paints_people_) shadows_.draw(g, moving_);
     }
 
 private:
@@ -113,7 +121,7 @@ private:
         for (int columns = 1; columns <= count && columns < 4 * std::sqrt(count) + 2; ++columns) {
             const int rows = (count + columns - 1) / columns;
             if (rows > columns + 1) continue;  // rows far behind are not visible
-            const double distance = fit({room(rows, columns)}, usual_aspect, pitch_of(rows)).distance;
+            const double distance = fit_camera({room(rows, columns)}, fov_deg, usual_aspect, pitch_of(rows)).distance;
             if (nearest > 0 && distance >= nearest) continue;
             nearest = distance;
             columns_ = columns;
@@ -131,54 +139,24 @@ private:
 
     static double pitch_of(int rows) { return rows > 1 ? 0.36 : 0.10; }
 
-    struct Fit {
-        double distance, target_x, target_y, target_z, fy, fz;  // f: the eye's direction
-    };
-
-    // Looks down on these boxes from the front, at the smallest distance that has all of them in the picture.
-    static Fit fit(const std::vector<PoseBox> &boxes, double aspect, double pitch)
-    {
-        constexpr double fill = 0.88;
-        const double tall = fill * std::sin(half_fov) / std::cos(half_fov), wide = tall * aspect;
-        PoseBox all = PoseBox::none();
-        for (const PoseBox &box : boxes) all.hold(box);
-        const auto middle = [&](size_t axis) { return (all.low[axis] + all.high[axis]) / 2; };
-        Fit f = {1, middle(0), middle(1), middle(2), -std::sin(pitch), -std::cos(pitch)};
-        for (int round = 0; round < 8; ++round) {
-            double top = -1e9, bottom = 1e9, left = 1e9, right = -1e9, next = 0.1;
-            for (size_t corner = 0; corner < 8 * boxes.size(); ++corner) {
-                const PoseBox &box = boxes[corner / 8];
-                const double px = (corner & 1 ? box.high : box.low)[0] - f.target_x;
-                const double py = (corner & 2 ? box.high : box.low)[1] - f.target_y;
-                const double pz = (corner & 4 ? box.high : box.low)[2] - f.target_z;
-                const double up = pz * f.fy - py * f.fz, ahead = py * f.fy + pz * f.fz;
-                next = std::max({next, std::abs(up) / tall - ahead, std::abs(px) / wide - ahead});
-                top = std::max(top, up / (f.distance + ahead));
-                bottom = std::min(bottom, up / (f.distance + ahead));
-                left = std::min(left, px / (f.distance + ahead));
-                right = std::max(right, px / (f.distance + ahead));
-            }
-            if (round > 0) {  // equal margins
-                f.target_x += (left + right) / 2 * f.distance;
-                f.target_y += (top + bottom) / 2 * f.distance;
-            }
-            f.distance = next;
-        }
-        return f;
-    }
-
     uint32_t clip_of(uint32_t person) const { return clips_ ? first_ + (lead_ + person) % clips_ : CLQ_NONE; }
 
-    // The boxes of the clips that are shown, in metres from a Reference Point.
+    // The boxes and ways of the clips that are shown, in metres from a Reference Point.
     void measure_clips(PosedTemplate &posed, uint32_t people)
     {
         const uint32_t shown = std::min(clips_, people);
         const uint32_t poses = std::clamp(400 / std::max(1u, shown), 3u, 33u);
-        for (uint32_t i = 0; i < shown; ++i) clip_boxes_.push_back(posed.box_of_clip(clip_of(i), poses));
-        posed.pose(CLQ_NONE, 0);
-        if (shown == 0) clip_boxes_.push_back(posed.box());
-        for (PoseBox &box : clip_boxes_)
-            for (size_t axis = 0; axis < 3; ++axis) box.low[axis] *= extent_.scale, box.high[axis] *= extent_.scale;
+        for (uint32_t i = 0; i < std::max(1u, shown); ++i) {
+            const bool moves = i < shown;
+            posed.pose(CLQ_NONE, 0);
+            std::vector<PoseBox> boxes = moves ? posed.boxes_of_clip(clip_of(i), poses) : std::vector{posed.box()};
+            clip_boxes_.push_back(PoseBox::none());
+            for (PoseBox &box : boxes) {
+                for (size_t axis = 0; axis < 3; ++axis) box.low[axis] *= extent_.scale, box.high[axis] *= extent_.scale;
+                clip_boxes_.back().hold(box);
+            }
+            ways_.emplace_back(boxes, moves ? posed.length_s(clip_of(i)) : 0);
+        }
     }
 
     // The space of the people in the middle of the first rows, in all poses of their clips, from the ground up.
@@ -206,7 +184,7 @@ private:
 
     clq_camera frame(int rows, int columns, double aspect) const
     {
-        const Fit f = fit(filled(rows, columns), aspect, pitch_of(rows));
+        const CameraFit f = fit_camera(filled(rows, columns), fov_deg, aspect, pitch_of(rows));
         // Where a model is long and low, the rounds end anywhere, also under the ground.
         const double eye_y = std::max(f.target_y - f.fy * f.distance, 0.05 * f.distance);
         return look({f.target_x, eye_y, f.target_z - f.fz * f.distance}, {f.target_x, f.target_y, f.target_z}, fov_deg,
@@ -235,11 +213,32 @@ private:
         clq_transform place =
             stand(x - extent_.middle_x, -extent_.ground, z - extent_.middle_z, 0, 1, static_cast<float>(extent_.scale));
         scene_crowd_.enter({character_.tmpl, place, play(person)});
+        if (ways_[person % ways_.size()].is_long()) return travellers_.push_back(person);
+        const auto [rx, rz] = rim();
+        shadows_.ring(static_cast<float>(x) + 0.05f, 0, static_cast<float>(z) - 0.06f, rx, rz);
+    }
+
+    // Half the sizes of the dark rim round a person.
+    std::pair<float, float> rim() const
+    {
         // Leaves out spread arms of the rest pose, whose shadow is negligible.
         const double body = std::max(extent_.half_z, 0.22 * extent_.height);
         const float rx = static_cast<float>(std::min(extent_.half_x, body) * 1.25 + 0.12);
         const float rz = static_cast<float>(std::min(extent_.half_z, std::max(extent_.half_x, body)) * 1.25 + 0.12);
-        shadows_.ring(static_cast<float>(x) + 0.05f, 0, static_cast<float>(z) - 0.06f, rx, rz);
+        return {rx, rz};
+    }
+
+    // Of one whose clip leads it away from its place.
+    void lay_rim(uint32_t person, double time_s)
+    {
+        clq_active_clip active[CLQ_ACTIVE_CLIP_MAX];
+        uint32_t count = 0;
+        check(clq_actor_get_active_clips(crowd(), scene_crowd_.actors()[person], time_s, active, &count));
+        const std::array<double, 2> at = ways_[person % ways_.size()].at(count ? active[0].clip_time_s : 0);
+        const clq_transform &place = scene_crowd_.places()[person];
+        const auto [rx, rz] = rim();
+        Shadows::ring(moving_, static_cast<float>(place.position[0] + at[0]) + 0.05f, 0,
+                      static_cast<float>(place.position[2] + at[1]) - 0.06f, rx, rz);
     }
 
     void lay_ground()
@@ -276,7 +275,10 @@ private:
     clq_template_info info_ = clq_template_info_init();
     Extent extent_;
     uint32_t first_ = 0, clips_ = 0, lead_ = 0;  // the clips that are shown; which of these the first person shows
-    std::vector<PoseBox> clip_boxes_;            // of the clips that are shown, in turn
+    std::vector<PoseBox> clip_boxes_;            // of the clips that are shown, in turn, as ways_
+    std::vector<ClipWay> ways_;
+    std::vector<uint32_t> travellers_;  // people whose ways are long
+    Geometry moving_;                   // their rims
     int columns_ = 1, rows_ = 1;
     double across_ = 1, deep_ = 1;
     Daylight light_;

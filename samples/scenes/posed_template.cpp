@@ -95,14 +95,21 @@ double PosedTemplate::length_s(uint32_t clip) const
     return static_cast<double>(info.duration_s);
 }
 
-PoseBox PosedTemplate::box_of_clip(uint32_t clip, uint32_t poses)
+std::vector<PoseBox> PosedTemplate::boxes_of_clip(uint32_t clip, uint32_t poses)
 {
     constexpr double end = 0.9999;  // at 1 it begins again
-    PoseBox out = PoseBox::none();
+    std::vector<PoseBox> out;
     for (uint32_t k = 0; k < poses; ++k) {
         pose(clip, length_s(clip) * end * k / std::max(1u, poses - 1));
-        out.hold(box());
+        out.push_back(box());
     }
+    return out;
+}
+
+PoseBox PosedTemplate::box_of_clip(uint32_t clip, uint32_t poses)
+{
+    PoseBox out = PoseBox::none();
+    for (const PoseBox &box : boxes_of_clip(clip, poses)) out.hold(box);
     return out;
 }
 

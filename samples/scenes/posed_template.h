@@ -40,7 +40,8 @@ public:
     std::vector<float> vertices();
     // The box of the shown vertices, on the root path; none() without vertices.
     PoseBox box();
-    // The box of `poses` poses of a clip, from its beginning to its end.
+    // The boxes of `poses` poses of a clip, at even times from its beginning to its end, and their union.
+    std::vector<PoseBox> boxes_of_clip(uint32_t clip, uint32_t poses);
     PoseBox box_of_clip(uint32_t clip, uint32_t poses);
 
     const clq_template_info &info() const { return info_; }

@@ -114,15 +114,15 @@ void Shadows::lay(const std::vector<clq_transform> &places, size_t i, Vec3 to_su
     people_.triangle(a, c, d);
 }
 
-void Shadows::ring(float x, float y, float z, float half_x, float half_z)
+void Shadows::ring(Geometry &rims, float x, float y, float z, float half_x, float half_z)
 {
     const auto corner = [&](float sx, float sz) {
-        return rims_.add({x + sx * half_x, y + lift * 0.5f, z + sz * half_z}, {0, 1, 0}, sx > 0 ? 0.996f : 0.504f,
-                         sz > 0 ? 0.998f : 0.002f, dark, darkness);
+        return rims.add({x + sx * half_x, y + lift * 0.5f, z + sz * half_z}, {0, 1, 0}, sx > 0 ? 0.996f : 0.504f,
+                        sz > 0 ? 0.998f : 0.002f, dark, darkness);
     };
     const uint32_t a = corner(-1, 1), b = corner(1, 1), c = corner(1, -1), d = corner(-1, -1);
-    rims_.triangle(a, b, c);
-    rims_.triangle(a, c, d);
+    rims.triangle(a, b, c);
+    rims.triangle(a, c, d);
 }
 
 void Shadows::draw(const Gl &g, const Geometry &more) const

@@ -25,8 +25,9 @@ public:
 
     // position[1] is the height of the ground there. height_m and width_m are of a person of scale 1.
     void cast(const std::vector<clq_transform> &places, Vec3 to_sun, float height_m, float width_m);
-    // A dark rim round an object on the ground.
-    void ring(float x, float y, float z, float half_x, float half_z);
+    // A dark rim round an object on the ground; of one that moves, for `more` of draw().
+    void ring(float x, float y, float z, float half_x, float half_z) { ring(rims_, x, y, z, half_x, half_z); }
+    static void ring(Geometry &rims, float x, float y, float z, float half_x, float half_z);
     // Draws over the current picture; the view must be set. Leaves blending off.
     void draw(const Gl &gl) const { draw(gl, Geometry()); }
     // `more`: other patches that show the blot, u [0.5, 1].

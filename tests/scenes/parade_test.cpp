@@ -6,14 +6,16 @@
 #include <gtest/gtest.h>
 
 #include "samples/scenes/library.h"
-#include "samples/scenes/scene.h"
+#include "samples/scenes/scene_renderer.h"
+#include "tests/gl/support/absent.h"
 
 namespace
 {
 
 using namespace scenes;
 
-// The corners of a box, each in a triangle. Each clip lasts a second, and moves it up, sideways and back.
+// The corners of a box, each in a triangle. Each clip lasts a second, and moves it up, sideways and back; one named
+// "travel" leads it 4 m sideways.
 Own<clq_template> box(Library &library, float low, float wide, float high, float deep,
                       const std::vector<const char *> &clips = {})
 {
@@ -32,9 +34,13 @@ Own<clq_template> box(Library &library, float low, float wide, float high, float
     const float times[3] = {0, 0.5f, 1}, values[9] = {0, 0, 0, 0.8f * high, 0.7f * high, 0.3f * high, 0, 0, 0};
     clq_channel_def channel = clq_channel_def_init();
     channel.key_count = 3, channel.times_s = times, channel.values = values;
+    const float way[9] = {0, 0, 0, 2, 0, 0, 4, 0, 0};
+    clq_channel_def travel = channel;
+    travel.values = way;
     std::vector<clq_clip_def> jumps(clips.size());
     for (size_t i = 0; i < clips.size(); ++i)
-        jumps[i].name = clips[i], jumps[i].channel_count = 1, jumps[i].channels = &channel;
+        jumps[i].name = clips[i], jumps[i].channel_count = 1,
+        jumps[i].channels = std::string(clips[i]) == "travel" ? &travel : &channel;
     clq_template_def def = clq_template_def_init();
     def.name = "box", def.node_count = 1, def.nodes = &node, def.part_count = 1, def.parts = &part;
     def.clip_count = static_cast<uint32_t>(jumps.size()), def.clips = jumps.data();
@@ -105,6 +111,54 @@ TEST(Parade, HasAllOfItsPeopleInThePictureAtAllTimesOfTheirClips)
                 }
             }
         }
+    }
+}
+
+// The brightness of the picture where it shows a point of the world.
+double brightness_at(SceneRenderer &renderer, const clq_camera &camera, Vec3 point, double time_s, int width,
+                     int height)
+{
+    const Eye eye = eye_of(camera);
+    const float at[3] = {point.x, point.y, point.z};
+    double seen[3], depth = 0;
+    for (size_t row = 0; row < 3; ++row) {
+        seen[row] = double(eye.view[12 + row]);
+        for (size_t k = 0; k < 3; ++k) seen[row] += double(eye.view[4 * k + row] * at[k]);
+    }
+    depth = -seen[2];
+    const double x = (double(eye.projection[0]) * seen[0] / depth + 1) / 2 * width;
+    const double y = (1 - double(eye.projection[5]) * seen[1] / depth) / 2 * height;
+    EXPECT_TRUE(x > 0 && x < width && y > 0 && y < height) << x << ", " << y;
+    const uint8_t *pixel = &renderer.picture(time_s)[3 * (size_t(y) * size_t(width) + size_t(x))];
+    return (pixel[0] + pixel[1] + pixel[2]) / 3.0;
+}
+
+TEST(Parade, HasShadowsUnderPeopleWhomAClipLeadsAway)
+{
+    const std::string absent = gltest::absent_gl(contexts::Kind::any);
+    if (!absent.empty()) GTEST_SKIP() << absent;
+    Library library(1);
+    const Own<clq_template> tmpl = box(library, 0, 0.5f, 1.75f, 0.3f, {"travel"});
+    SceneOptions options;
+    options.make = [&](Library &of, const CrowdOptions &crowd) {
+        Character character = shown(tmpl);
+        character.one_clip = true;
+        return make_parade(of, crowd, character);
+    };
+    options.crowd_options.count = 1;
+    options.width = 320, options.height = 240;
+    SceneRenderer renderer(library, options);
+    const clq_camera camera = renderer.scene().camera(Shot::overview, 4.0 / 3, 0);
+    clq_actor_info info = clq_actor_info_init();
+    check(clq_actor_get_info(renderer.scene().crowd(), renderer.scene().actors()[0], &info));
+    const float begin_x = static_cast<float>(info.transform.position[0]);
+    for (const float time_s : {0.0f, 0.25f, 0.6f, 0.9f}) {
+        const auto ground = [&](float x) {
+            return brightness_at(renderer, camera, {begin_x + x + 0.3f, 0, 0}, time_s, 320, 240);
+        };
+        const double open = ground(time_s > 0.5f ? 1.0f : 3.0f);
+        EXPECT_LT(ground(4 * time_s), 0.85 * open) << "under it, at " << time_s << " s";
+        EXPECT_NEAR(ground(time_s > 0.5f ? 0.0f : 4.0f), open, 3) << "where it is not, at " << time_s << " s";
     }
 }
 
