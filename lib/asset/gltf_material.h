@@ -58,7 +58,7 @@ private:
     bool has_picture(const JsonView &info) const;
     void read_emission(const Light &light, model::Material &out, UvUse &use);
     void add_emission_of_pictures(const std::vector<bool> &used, const model::Model &model);
-    void settle_blend(uint32_t material, const model::Model &model);
+    std::string settle_alpha(uint32_t material, const model::Model &model);
     void name_unseen_looks(const std::vector<bool> &used);
     void settle_light(const std::vector<bool> &used, model::Model &model);
     void keep_glow(const std::vector<bool> &used, model::Model &model) const;

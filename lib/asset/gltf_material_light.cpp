@@ -1,5 +1,6 @@
 // How materials act with light and alpha: emission, BLEND, and the looks that GL 1.1 lacks.
 #include <algorithm>
+#include <map>
 
 #include "lib/asset/decoders.h"
 #include "lib/asset/gltf_image.h"
@@ -10,6 +11,7 @@
 namespace claque::asset
 {
 
+using model::AlphaMode;
 using model::Material;
 
 namespace
@@ -23,6 +25,13 @@ void keep_colour(model::Zone &zone)
     math::rgb_to_hsb(rgb, hsb);
     const float hue = static_cast<float>(hsb[0]), saturation = static_cast<float>(hsb[1]);
     zone.range = {hue, hue, saturation, saturation, static_cast<float>(hsb[2]), static_cast<float>(hsb[2])};
+}
+
+std::string list_of(const std::vector<std::string> &names)
+{
+    std::string list;
+    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
 }
 
 }  // namespace
@@ -50,7 +59,7 @@ void Materials::read_emission(const Light &light, Material &out, UvUse &use)
     constexpr float nearly_black = 0.1f;
     const float base = *std::max_element(out.base_colour.begin(), out.base_colour.begin() + 3);
     const bool is_black = base <= (light.texture.exists() ? nearly_black : 0.0f);
-    if (is_black && (out.image == none || out.alpha_mode == model::AlphaMode::opaque)) {
+    if (is_black && (out.image == none || out.alpha_mode == AlphaMode::opaque)) {
         out.lighting.unlit = true;
         std::copy(light.emission.begin(), light.emission.end(), out.base_colour.begin());
         out.image = none, use = UvUse();
@@ -99,28 +108,31 @@ void Materials::add_emission_of_pictures(const std::vector<bool> &used, const mo
     }
 }
 
-// Many files say BLEND where nothing is transparent.
-void Materials::settle_blend(uint32_t index, const model::Model &model)
+// Many files say MASK or BLEND where nothing is cut out or transparent. Returns how a material of BLEND that is
+// transparent is shown, and the remedy.
+std::string Materials::settle_alpha(uint32_t index, const model::Model &model)
 {
+    const bool is_blended = blended_.count(index) != 0;
+    if (!is_blended && variants_.count() > 0) return "";  // whose pictures may have holes
     Material &material = materials_[index];
     AlphaExtent alpha;
     if (material.image != none) {
         const model::Image &image = model.images[material.image];
         if (image.alpha == model::AlphaMeaning::opacity) alpha = alpha_extent_of(image);
     }
-    constexpr float opaque = 0.99f;
-    const bool is_opaque = alpha.least * material.base_colour[3] >= opaque;
-    if (is_opaque || file_.options.blend == Blend::opaque) material.alpha_mode = model::AlphaMode::opaque;
-    if (is_opaque || file_.options.blend != Blend::unset) return;
-    const bool is_unseen = alpha.most * material.base_colour[3] < material.alpha_cutoff;
-    const char *shown = is_unseen ? "left out, as its alpha is below 0.5 everywhere"
-                                  : "drawn where its alpha is 0.5 and more, and there opaque";
+    const float least = alpha.least * material.base_colour[3], most = alpha.most * material.base_colour[3];
+    const bool is_whole = least >= material.alpha_cutoff;
+    if (is_whole || (is_blended && file_.options.blend == Blend::opaque)) material.alpha_mode = AlphaMode::opaque;
+    constexpr float opaque = 0.9f, empty = 0.05f;
+    if (!is_blended || least >= opaque || file_.options.blend != Blend::unset) return "";
+    if (is_whole) return "drawn as opaque";
+    const bool is_unseen = most < material.alpha_cutoff;
+    const char *shown = is_unseen ? "left out, as alpha is below 0.5 everywhere"
+                                  : "drawn where alpha is 0.5 and more, and there opaque";
     const ZoneKind kind = zone_kind_of(material.name);
-    const bool has_cut_outs = kind == ZoneKind::hair || kind == ZoneKind::eyes;  // opaque, their cards are bars
-    const char *advice = has_cut_outs ? ""
-                         : is_unseen  ? "; --blend opaque (clq_asset_options.blend) shows it"
-                                      : "; --blend opaque (clq_asset_options.blend) shows all of it";
-    file_.warn(base::text_of("material '%s' is transparent: %s%s", material.name.c_str(), shown, advice));
+    // Opaque, empty texels are black boxes, and cards of hair and lashes are bars.
+    const bool has_cut_outs = kind == ZoneKind::hair || kind == ZoneKind::eyes || (least < empty && !is_unseen);
+    return std::string(shown) + (has_cut_outs ? "" : "; --blend opaque (clq_asset_options.blend) shows all of it");
 }
 
 void Materials::name_unseen_looks(const std::vector<bool> &used)
@@ -129,17 +141,22 @@ void Materials::name_unseen_looks(const std::vector<bool> &used)
     for (size_t i = 0; i < views_.size(); ++i)
         if (used[i]) note_unseen_looks(views_[i], names);
     if (names.empty()) return;
-    std::string list;
-    for (const std::string &name : names) list += (list.empty() ? "" : ", ") + name;
-    file_.warn(
-        base::text_of("materials are shown without %.400s: fixed-function lighting has none of them", list.c_str()));
+    file_.warn(base::text_of("materials are shown without %.400s: fixed-function lighting has none of them",
+                             list_of(names).c_str()));
 }
 
 void Materials::settle_light(const std::vector<bool> &used, model::Model &model)
 {
     add_emission_of_pictures(used, model);
-    for (const uint32_t material : blended_)
-        if (used[material]) settle_blend(material, model);
+    std::map<std::string, std::vector<std::string>> shown;  // names by how they are shown
+    for (uint32_t material = 0; material < materials_.size(); ++material) {
+        if (!used[material] || materials_[material].alpha_mode != AlphaMode::mask) continue;
+        const std::string how = settle_alpha(material, model);
+        if (!how.empty()) shown[how].push_back("'" + materials_[material].name + "'");
+    }
+    for (const auto &[how, names] : shown)
+        file_.warn(base::text_of("%s %.400s %s transparent: %s", names.size() == 1 ? "material" : "materials",
+                                 list_of(names).c_str(), names.size() == 1 ? "is" : "are", how.c_str()));
     name_unseen_looks(used);
 }
 

@@ -92,10 +92,15 @@ ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector
 {
     if (visibility.empty()) visibility = visibility_of(model, fine, jobs);
     for (uint32_t t = 0; t < visibility.size(); ++t)
-        if (visibility[t] > 0) visible_triangles.push_back(t);
+        if (visibility[t] > 0) {
+            visible_triangles.push_back(t);
+            if (!has_holes(model, fine.part(fine.triangles()[t].part))) whole_triangles.push_back(t);
+        }
+    const bool has_both = !whole_triangles.empty() && whole_triangles.size() < visible_triangles.size();
     const auto sets = static_cast<uint32_t>(set_count()),
                kept = std::min(sets, static_cast<uint32_t>(kept_sets(model, fine)));
     area_fractions.resize(sets), zone_points.resize(sets);
+    if (has_both) nearest_whole.emplace(fine.corners(whole_triangles));
     jobs.try_each(sets + kept + 1, [&](uint32_t i) {
         if (i == 0) nearest_visible.emplace(fine.corners(visible_triangles));
         else if (i <= kept) zone_points[i - 1] = zone_points_of(model, fine, set(i - 1));
@@ -104,6 +109,13 @@ ProxySource::ProxySource(const model::Model &of, PosedParts at_rest, std::vector
 }
 
 PosedParts ProxySource::at_rest(const model::Part &part) const { return posed_at_rest(model.rig, {&part}); }
+
+SurfacePoint ProxySource::through_holes(const SurfacePoint &point, glm::dvec3 at) const
+{
+    if (!nearest_whole || !is_hole(model, fine, point)) return point;
+    const NearestPoint::Found found = nearest_whole->to(at);
+    return {whole_triangles[found.triangle], found.weights};
+}
 
 ProxyLevels bake_proxies(const ProxySource &source, std::vector<model::Part> meshes,
                          const std::vector<double> &tolerances, const base::Jobs &jobs)

@@ -46,6 +46,8 @@ struct ProxySource {
     size_t set_count() const { return model.texture_sets.size() + 1; }
     const model::TextureSet *set(size_t i) const { return i ? &model.texture_sets[i - 1] : nullptr; }
     PosedParts at_rest(const model::Part &part) const;
+    // The point of `fine`, or where that is a hole, the nearest to `at` of a surface without holes.
+    SurfacePoint through_holes(const SurfacePoint &point, glm::dvec3 at) const;
 
     const model::Model &model;
     PosedParts fine;                                  // at rest
@@ -56,6 +58,8 @@ struct ProxySource {
     ZoneViews views;                                  // of `fine`, in all poses
     std::vector<uint32_t> visible_triangles;          // of `fine`
     std::optional<NearestPoint> nearest_visible;      // of these
+    std::vector<uint32_t> whole_triangles;            // the visible ones in which no holes are
+    std::optional<NearestPoint> nearest_whole;        // of these, where some others have holes
     // [sets] by zone, for as many sets as memory has room for; the others have none.
     std::vector<std::vector<ZonePoints>> zone_points;
 };

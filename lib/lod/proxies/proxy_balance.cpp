@@ -136,6 +136,7 @@ std::vector<ZonePoints> zone_points_of(const model::Model &model, const PosedPar
     std::vector<ZonePoints> zones(count);
     std::vector<std::vector<glm::dvec3>> places(count);
     for (const SurfaceSample &sample : sample_surface(fine, surface_sample_count)) {
+        if (is_hole(model, fine, sample.point, set)) continue;
         const size_t z = std::min<size_t>(zone_at(model, fine, sample.point, set), count - 1);
         zones[z].points.push_back(sample.point);
         places[z].push_back(position_of(fine, sample.point));

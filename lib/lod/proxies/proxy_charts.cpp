@@ -98,10 +98,11 @@ private:
             const double length = glm::length(normal);
             const glm::dvec3 at = point_on(c, here.weights);
             // The query point is slightly outside: of two layers the outer one is visible.
-            const NearestPoint::Found found =
-                source_.nearest_visible->to(length > 0 ? at + normal * (offset_ / length) : at, guess.of_source);
+            const glm::dvec3 outside = length > 0 ? at + normal * (offset_ / length) : at;
+            const NearestPoint::Found found = source_.nearest_visible->to(outside, guess.of_source);
             guess.of_source = found.triangle;
-            texel.points[i] = {source_.visible_triangles[found.triangle], found.weights};
+            texel.points[i] =
+                source_.through_holes({source_.visible_triangles[found.triangle], found.weights}, outside);
             texel.middle += at / double(samples);
         }
         texel.used = true;

@@ -41,6 +41,7 @@ std::vector<Lighting> lighting_of_zones(const ProxySource &source)
         const double area = area_of(source.fine, t) * source.visibility[t];
         all[lighting] += area;
         for (const glm::dvec3 &weights : points) {
+            if (is_hole(source.model, source.fine, {t, weights})) continue;
             const uint32_t zone = zone_at(source.model, source.fine, {t, weights});
             shares[zone == model::none ? shares.size() - 1 : zone][lighting] += area;
         }

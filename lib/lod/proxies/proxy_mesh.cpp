@@ -53,7 +53,7 @@ Attributes features_at(const model::Model &model, const PosedParts &parts, const
             const double weight = point.weights[static_cast<int>(k)] * double(part.weights[at]);
             if (weight > 0) add(part.joints[at], influences[part.joints[at]] * weight);
         }
-    const uint32_t zone = zone_at(model, parts, point);
+    const uint32_t zone = is_hole(model, parts, point) ? model::none : zone_at(model, parts, point);
     if (zone != model::none) add(first_zone + zone, zone_cost);
     std::sort(found.begin(), found.end(), [](const Attribute &a, const Attribute &b) { return a.id < b.id; });
     return found;

@@ -29,13 +29,15 @@ std::vector<ZoneColours> collect_colours(const ProxySource &source, const PosedP
     const std::vector<PointPair> back = source.trees.nearest_pairs(part);
     for (const PointPair &pair : out) {
         const uint32_t t = pair.here.triangle;
-        if (pair.corner == PointPair::inside && source.visibility[t] > 0)
+        if (pair.corner == PointPair::inside && source.visibility[t] > 0 &&
+            !is_hole(source.model, source.fine, pair.here))
             add_colour(source, pair.here, area_of(source.fine, t) * source.visibility[t],
                        zone_colours[pair.there.triangle]);
     }
     std::vector<SurfacePoint> centres(zone_colours.size());  // the first sample of a triangle is its centre
     for (auto pair = back.rbegin(); pair != back.rend(); ++pair)
-        if (pair->corner == PointPair::inside) centres[pair->here.triangle] = pair->there;
+        if (pair->corner == PointPair::inside)
+            centres[pair->here.triangle] = source.through_holes(pair->there, position_of(part, pair->here));
     for (size_t t = 0; t < zone_colours.size(); ++t)
         if (zone_colours[t].empty()) add_colour(source, centres[t], 1, zone_colours[t]);
     return zone_colours;
@@ -75,6 +77,7 @@ std::vector<ZoneAreas> zone_areas_of(const ProxySource &source, const std::vecto
         const uint32_t t = pair.here.triangle;
         const double area = area_of(source.fine, t);
         if (pair.corner != PointPair::inside || !(source.visibility[t] > 0) || !(area > 0)) continue;
+        if (is_hole(source.model, source.fine, pair.here)) continue;
         const double weight = std::clamp(std::sqrt(all / double(count) / area), min_weight, max_weight);
         areas[pair.there.triangle][zone_at(source.model, source.fine, pair.here)] +=
             weight * area * source.visibility[t];

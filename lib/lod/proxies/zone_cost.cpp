@@ -22,6 +22,7 @@ ZoneCost::ZoneCost(const model::Model &model, const PosedParts &source, const Po
         const glm::dvec3 third(1.0 / 3);
         const glm::dvec3 p = position_of(source, {t, third});
         first = glm::min(first, p), last = glm::max(last, p);
+        if (is_hole(model, source, {t, third})) continue;
         centres[std::min<size_t>(zone_at(model, source, {t, third}), zones_ - 1)].push_back(p);
     }
     const double size = std::max({last.x - first.x, last.y - first.y, last.z - first.z, 1e-30});

@@ -49,7 +49,9 @@ public:
         for (SurfacePoint &point : points_) point.triangle = model::none;
     }
 
-    void add(uint32_t triangle, const std::array<glm::dvec3, 3> &corners, bool two_sided)
+    // `is_hole`: whether a point of the triangle is one.
+    template <class IsHole>
+    void add(uint32_t triangle, const std::array<glm::dvec3, 3> &corners, bool two_sided, IsHole is_hole)
     {
         if (!two_sided && glm::dot(glm::cross(corners[1] - corners[0], corners[2] - corners[0]), towards_) <= 0) return;
         std::array<glm::dvec3, 3> at;  // pixels right and up, and depth
@@ -70,8 +72,8 @@ public:
                 if (u < 0 || v < 0 || u + v > 1) continue;
                 const double depth = at[0].z + u * a.z + v * b.z;
                 const size_t pixel = size_t(y) * side_px + size_t(x);
-                if (!(depth > depths_[pixel])) continue;
-                depths_[pixel] = depth, points_[pixel] = {triangle, {1 - u - v, u, v}};
+                const SurfacePoint point = {triangle, {1 - u - v, u, v}};
+                if (depth > depths_[pixel] && !is_hole(point)) depths_[pixel] = depth, points_[pixel] = point;
             }
     }
     const std::vector<SurfacePoint> &points() const { return points_; }
@@ -100,7 +102,8 @@ void ZoneViews::draw(PosedParts &parts, Take take) const
             Picture picture(eye, min, max);
             for (uint32_t t = 0; t < parts.triangles().size(); ++t) {
                 const PosedParts::Triangle &triangle = parts.triangles()[t];
-                picture.add(t, parts.corners(triangle), is_two_sided(model_, parts.part(triangle.part)));
+                picture.add(t, parts.corners(triangle), is_two_sided(model_, parts.part(triangle.part)),
+                            [&](const SurfacePoint &point) { return is_hole(model_, parts, point); });
             }
             take(picture.points());
         }

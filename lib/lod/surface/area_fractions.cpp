@@ -21,11 +21,13 @@ std::vector<double> zone_area_fractions(const model::Model &model, const PosedPa
     std::vector<double> area_fractions(model.zones.size() + 1, 0.0);
     double all = 0;
     const std::vector<SurfaceSample> samples = sample_surface(posed, surface_sample_count);
-    for (const SurfaceSample &sample : samples) all += sample.area * visibility[sample.point.triangle];
-    if (!(all > 0)) return area_fractions;
-    for (const SurfaceSample &sample : samples)
-        area_fractions[std::min<size_t>(zone_at(model, posed, sample.point, set), model.zones.size())] +=
-            sample.area * visibility[sample.point.triangle] / all;
+    for (const SurfaceSample &sample : samples) {
+        if (is_hole(model, posed, sample.point, set)) continue;
+        const double area = sample.area * visibility[sample.point.triangle];
+        area_fractions[std::min<size_t>(zone_at(model, posed, sample.point, set), model.zones.size())] += area;
+        all += area;
+    }
+    for (double &fraction : area_fractions) fraction = all > 0 ? fraction / all : 0;
     return area_fractions;
 }
 

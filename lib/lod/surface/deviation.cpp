@@ -102,7 +102,7 @@ double wrong_zones(const model::Model &model, const PosedParts &source, const Po
 {
     double wrong = 0, all = 0;
     for (const PointPair &pair : pairs) {
-        if (pair.corner != PointPair::inside) continue;
+        if (pair.corner != PointPair::inside || is_hole(model, source, pair.here)) continue;
         const double area = areas[pair.here.triangle];
         all += area;
         if (zone_at(model, source, pair.here) != zone_at(model, level, pair.there)) wrong += area;

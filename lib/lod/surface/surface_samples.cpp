@@ -146,6 +146,23 @@ uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 u
     return zone_of_texel(model, part, texel_of(model, part, glm::dvec2(uv), set), set);
 }
 
+bool has_holes(const model::Model &model, const model::Part &part)
+{
+    if (part.material == model::none) return false;
+    const model::Material &material = model.materials[part.material];
+    return material.alpha_mode == model::AlphaMode::mask && material.image != model::none &&
+           model.images[material.image].alpha != model::AlphaMeaning::zone_keys;
+}
+
+bool is_hole(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
+             const model::TextureSet *set)
+{
+    const model::Part &part = parts.part(parts.triangles()[point.triangle].part);
+    if (!has_holes(model, part)) return false;
+    const uint8_t *found = texel_of(model, part, uv_at(parts, point), set);
+    return found && float(found[3]) < 255 * model.materials[part.material].alpha_cutoff;
+}
+
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
                     const model::TextureSet *set)
 {

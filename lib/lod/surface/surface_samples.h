@@ -81,6 +81,11 @@ uint32_t zone_at(const model::Model &model, const PosedParts &parts, const Surfa
 uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 uv,
                  const model::TextureSet *set = nullptr);
 
+// Whether the part's material cuts holes by alpha, and whether a point is in one: other surface is seen through it.
+bool has_holes(const model::Model &model, const model::Part &part);
+bool is_hole(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
+             const model::TextureSet *set = nullptr);
+
 // Returns the texel at a point, with red, green and blue in [0, 1]; white if there is no image.
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
                     const model::TextureSet *set = nullptr);

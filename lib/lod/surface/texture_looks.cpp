@@ -90,6 +90,7 @@ void TextureLooks::add(const model::Model &model)
     for (size_t i = looks_.size(); i < all.size(); ++i) {
         Look &look = looks_.emplace_back();
         look.wrap_s = all[i].wrap_s, look.wrap_t = all[i].wrap_t;
+        look.has_holes = all[i].alpha_mode == model::AlphaMode::mask;
         if (all[i].zone != model::none) {
             const std::array<float, 3> &c = model.zones[all[i].zone].colour;
             look.colour = math::F4{c[0], c[1], c[2], 1};
@@ -199,6 +200,8 @@ LookDifference TextureLooks::difference(const PosedParts &source, const PosedPar
         if (pair.corner != PointPair::inside || !(area > 0) || !(longest > 0)) continue;
         const Shown here = shown_at(source, pair.here), there = shown_at(level, pair.there);
         if (!there.look) continue;  // a proxy that is not painted yet
+        // A proxy shows the surface behind a hole.
+        if (here.look && here.look->has_holes && !there.look->has_holes && here.colour(0)[3] < 0.5f) continue;
         const glm::dvec3 at = position_of(source, pair.here), away = at - position_of(level, pair.there),
                          cell = (at - low) * (regions / longest);
         Sum &sum = sums[{int(cell.x), int(cell.y), int(cell.z)}];

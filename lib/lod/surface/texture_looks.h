@@ -41,6 +41,7 @@ private:
     struct Look {
         model::Wrap wrap_s = model::Wrap::repeat, wrap_t = model::Wrap::repeat;
         math::F4 colour = {1, 1, 1, 1};
+        bool has_holes = false;
         std::shared_ptr<const std::vector<Mip>> mips;  // each half as wide as the one before; null without an image
     };
     static std::vector<Mip> mips_of(const model::Model &model, const model::Material &material);

@@ -44,7 +44,8 @@ std::vector<double> visibility_of(const model::Model &model, const PosedParts &p
     std::vector<Corners3> triangles;
     for (const PosedParts::Triangle &t : parts.triangles()) {
         triangles.push_back(parts.corners(t));
-        queries.push_back({triangles.back(), is_two_sided(model, parts.part(t.part))});
+        queries.push_back(
+            {triangles.back(), is_two_sided(model, parts.part(t.part)), has_holes(model, parts.part(t.part))});
     }
     check_stacking(triangles, model.name);
     return visibility_of(queries, VisibilityQuality::full, jobs);
@@ -56,11 +57,12 @@ std::vector<double> visibility_of(const std::vector<VisibilityQuery> &queries, V
     std::vector<Corners3> triangles;
     glm::dvec3 min(std::numeric_limits<double>::infinity()), max = -min;
     for (const VisibilityQuery &query : queries) {
-        triangles.push_back(query.corners);
+        if (!query.has_holes) triangles.push_back(query.corners);
         for (const glm::dvec3 p : query.corners) min = glm::min(min, p), max = glm::max(max, p);
     }
     std::vector<double> visibility(queries.size());
-    if (triangles.empty()) return visibility;
+    if (queries.empty()) return visibility;
+    if (triangles.empty()) triangles.emplace_back();    // a point
     const double skin = 1e-5 * glm::length(max - min);  // occluders nearer than this do not count
     const Occluders all(triangles);
     const std::array<glm::dvec3, 4> sample_weights = {glm::dvec3(1, 1, 1) / 3.0, glm::dvec3(4, 1, 1) / 6.0,

@@ -10,14 +10,16 @@ namespace claque::lod
 
 // Returns, for [triangles of `parts`] at rest, the fraction of all directions from which a distant eye sees the
 // triangle past all others: about a half for open surface, 0 for hidden surface. The back counts only if the material
-// is double-sided. A triangle visible from only one of the fourteen directions counts as hidden, for example legs
-// seen from below under a skirt. All are 1 if nothing is visible. The result does not depend on `jobs`. Deterministic.
+// is double-sided. What has holes hides nothing. A triangle visible from only one of the fourteen directions counts as
+// hidden, for example legs seen from below under a skirt. All are 1 if nothing is visible. The result does not depend
+// on `jobs`. Deterministic.
 std::vector<double> visibility_of(const model::Model &model, const PosedParts &parts, const base::Jobs &jobs = {});
 
 // The same for triangles outside of parts, at four samples each (full) or at their centres only (fast).
 struct VisibilityQuery {
     std::array<glm::dvec3, 3> corners;
     bool two_sided = false;  // the back is visible as well
+    bool has_holes = false;  // what lies behind it is visible
 };
 enum class VisibilityQuality : uint8_t { fast, full };
 std::vector<double> visibility_of(const std::vector<VisibilityQuery> &queries,

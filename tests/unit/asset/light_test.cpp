@@ -1,5 +1,7 @@
 // Emission, BLEND and looks that are not shown, as read, and instances. Pictures of them are in
 // tests/gl/file_light_test.cpp.
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "maker.h"
@@ -93,7 +95,7 @@ TEST(Blend, OfAFullyTransparentMaterialSaysWhatShowsIt)
 {
     const std::vector<std::string> warnings = warnings_of("visor", 0.3f);
     ASSERT_EQ(warnings.size(), 1u);
-    EXPECT_NE(warnings[0].find("left out, as its alpha is below 0.5 everywhere; --blend opaque"), std::string::npos);
+    EXPECT_NE(warnings[0].find("left out, as alpha is below 0.5 everywhere; --blend opaque"), std::string::npos);
 }
 
 TEST(Blend, OfHairAndEyesIsNamedWithoutAdvice)
@@ -102,9 +104,33 @@ TEST(Blend, OfHairAndEyesIsNamedWithoutAdvice)
         for (const float alpha : {0.3f, 0.7f}) {
             const std::vector<std::string> warnings = warnings_of(name, alpha);
             ASSERT_EQ(warnings.size(), 1u);
-            EXPECT_NE(warnings[0].find(alpha < 0.5f ? "left out" : "drawn where"), std::string::npos) << warnings[0];
+            EXPECT_NE(warnings[0].find(alpha < 0.5f ? "left out" : "drawn as opaque"), std::string::npos)
+                << warnings[0];
             EXPECT_EQ(warnings[0].find("--blend"), std::string::npos) << warnings[0];
         }
+}
+
+TEST(Blend, IsOneSentenceForMaterialsThatAreShownAlike)
+{
+    Maker maker = lamp_file();
+    maker.json["materials"] = Json::array();
+    const auto named = [](const char *name, float alpha) {
+        return Json{
+            {"name", name}, {"alphaMode", "BLEND"}, {"pbrMetallicRoughness", {{"baseColorFactor", {1, 1, 1, alpha}}}}};
+    };
+    const Json primitive = maker.primitive();
+    Json &primitives = maker.json["meshes"][0]["primitives"];
+    primitives = Json::array();
+    for (const auto &[name, alpha] : {std::pair("visor", 0.7f), std::pair("veil", 0.8f), std::pair("haze", 0.2f)}) {
+        primitives.push_back(primitive);
+        primitives.back()["material"] = primitives.size() - 1;
+        maker.json["materials"].push_back(named(name, alpha));
+    }
+    std::vector<std::string> warnings = load(maker.glb()).warnings;
+    std::sort(warnings.begin(), warnings.end());
+    ASSERT_EQ(warnings.size(), 2u);
+    EXPECT_EQ(warnings[0].rfind("material 'haze' is transparent: left out", 0), 0u) << warnings[0];
+    EXPECT_EQ(warnings[1].rfind("materials 'visor', 'veil' are transparent: drawn as opaque", 0), 0u) << warnings[1];
 }
 
 TEST(Blend, IsSilentOnceItIsChosen)

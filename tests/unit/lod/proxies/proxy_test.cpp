@@ -104,6 +104,49 @@ TEST(Proxy, KeepsTintsApartInsideOfAZone)
     }
 }
 
+// A face on a sheet in front of a head: texels that are cut out are black.
+TEST(Proxy, ShowsTheSurfaceBehindHoles)
+{
+    model::Model model = two_balls();
+    model::Image image;
+    image.width = 16, image.height = 1;
+    for (int i = 0; i < 16; ++i)
+        for (const int one : {0, i < 4 ? 200 : 0, 0, i < 4 ? 255 : 0}) image.rgba.push_back(static_cast<uint8_t>(one));
+    model.images.push_back(image);
+    model.materials.emplace_back();
+    model.materials[1].image = 1, model.materials[1].alpha_mode = model::AlphaMode::mask;
+    for (size_t ball = 0; ball < 2; ++ball) {
+        model::Part sheet = model.parts[ball];
+        sheet.material = 1;
+        for (size_t v = 0; v < sheet.positions.size(); ++v) {
+            sheet.uvs[v] = {std::acos(sheet.normals[v].y) / 3.1415927f, 0.5f};
+            sheet.positions[v] *= 1.02f;
+        }
+        model.parts.push_back(sheet);
+    }
+    lod::ChainOptions options;
+    options.targets = {400, 120, 60, 30};
+    lod::make_chain(model, options);
+    size_t seen = 0, green = 0;
+    for (const model::Part &part : model.parts) {
+        if (part.material < 2 || part.material == model::none) continue;
+        const model::Image &baked = model.images[model.materials[part.material].image];
+        for (const auto &t : model::triangles_of(part)) {
+            glm::vec3 at(0);
+            glm::vec2 uv(0);
+            for (const uint32_t v : t) at += part.positions[v] / 3.0f, uv += part.uvs[v] / 3.0f;
+            const size_t texel = size_t(uv.y * float(baked.height)) * baked.width + size_t(uv.x * float(baked.width));
+            const uint8_t *rgb = &baked.rgba[4 * texel];
+            green += rgb[1] > 100;
+            if (at.y > 0.2f) continue;
+            ++seen;
+            EXPECT_GT(rgb[0] + rgb[1] + rgb[2], 150) << part.name << " at " << at.x << ", " << at.y << ", " << at.z;
+        }
+    }
+    EXPECT_GT(seen, 60u);
+    EXPECT_GT(green, 10u);
+}
+
 TEST(Proxy, IsNotMadeForRigidPartsThatMoveAsOne)
 {
     model::Model model = two_balls();
