@@ -26,6 +26,13 @@ uint32_t part_of(std::string_view plain)
     return plain == "leftleg" || plain == "rightleg" || plain == "legl" || plain == "legr" ? 1 : none;  // Mixamo's shin
 }
 
+// The same of skeletons whose joints have the names of joints (Maya): a hip moves the thigh, a knee the shin.
+uint32_t part_of_joint(std::string_view plain)
+{
+    if (is_control(plain) || has(plain, "hips")) return none;
+    return has(plain, "knee") ? 1 : has(plain, "hip") ? 0 : none;
+}
+
 // Nodes with the names of limbs. Several may share a name: a skin's joint is the limb, else a node that draws nothing,
 // else one of a rigid mesh. The first of equals is the nearest to the root.
 class Limbs
@@ -44,6 +51,15 @@ public:
             const Side side = side_of(rig.node_names[i], plain);
             const uint32_t part = part_of(plain);
             if (side != Side::unknown && part != none) limbs_[i] = {side == Side::left ? 0 : 1, static_cast<int>(part)};
+        }
+        const std::vector<Limb> named = limbs_;
+        for (uint32_t i = 0; i < rig.node_count(); ++i) {
+            const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
+            const Side side = side_of(rig.node_names[i], plain);
+            const uint32_t part = part_of_joint(plain);
+            if (side == Side::unknown || part == none) continue;
+            const Limb limb = {side == Side::left ? 0 : 1, static_cast<int>(part)};
+            if (std::find(named.begin(), named.end(), limb) == named.end()) limbs_[i] = limb;
         }
     }
 

@@ -66,6 +66,37 @@ std::string limb_of(std::string_view p)
 
 bool is_middle(std::string_view p) { return !has_any(p, {"end", "nub", "top", "ik", "control", "ctrl", "twist"}); }
 
+// Skeletons of Maya users: a hip, a knee and a shoulder move thigh, shin and upper arm.
+void add_legs_and_arms_by_joints(const model::Rig &rig, const std::vector<std::string> &names, uint32_t node,
+                                 Body &body)
+{
+    const std::string &p = names[node], side = side_of(rig.node_names[node], p);
+    if (side.empty() || model::is_control(p)) return;
+    if (has(p, "hip") && !has(p, "hips")) body.bones.emplace(side + "UpperLeg", node);
+    if (has(p, "knee")) body.bones.emplace(side + "LowerLeg", node);
+    const auto lower = body.bones.find(side + "LowerArm");
+    if (has(p, "shoulder") && lower != body.bones.end() && rig.parents[lower->second] == node &&
+        body.bones.emplace(side + "UpperArm", node).second)
+        body.bones.erase(side + "Shoulder");
+}
+
+// Joints of skins come first: nodes of meshes and of other rigs may have names of limbs too.
+void add_limbs(const model::Rig &rig, Body &body)
+{
+    const std::vector<uint8_t> ranks = model::ranks_of(rig);
+    std::vector<std::string> names;
+    for (uint32_t i = 0; i < rig.node_count(); ++i) names.push_back(plain(rig.node_names[i]));
+    for (int rank = 0; rank < 3; ++rank) {
+        for (uint32_t i = 0; i < rig.node_count(); ++i) {
+            if (ranks[i] != rank) continue;
+            const std::string side = side_of(rig.node_names[i], names[i]), limb = side.empty() ? "" : limb_of(names[i]);
+            if (!limb.empty()) body.bones.emplace(side + limb, i);
+        }
+        for (uint32_t i = 0; i < rig.node_count(); ++i)
+            if (ranks[i] == rank) add_legs_and_arms_by_joints(rig, names, i, body);
+    }
+}
+
 // The lowest node above both thighs; none: nothing is.
 uint32_t above_legs(const model::Rig &rig, const Body &body)
 {
@@ -144,11 +175,7 @@ Body body_of(const model::Rig &rig, const std::vector<HumanBone> &listed)
         else if (std::find(body.spine.begin(), body.spine.end(), bone.second) == body.spine.end())
             body.bones.emplace(bone.first, bone.second);
     if (!listed.empty()) return body;
-    for (uint32_t i = 0; i < rig.node_count(); ++i) {
-        const std::string name = plain(rig.node_names[i]), side = side_of(rig.node_names[i], name);
-        const std::string limb = side.empty() ? "" : limb_of(name);
-        if (!limb.empty()) body.bones.emplace(side + limb, i);
-    }
+    add_limbs(rig, body);
     swap_mirrored_sides(rig, body);
     add_hips(rig, body);
     for (uint32_t i = 0; i < rig.node_count(); ++i) {
@@ -211,6 +238,12 @@ HumanBinding bind_human(const model::Rig &target, const model::Rig &source, cons
     out.matches.erase(std::unique(out.matches.begin(), out.matches.end(), same), out.matches.end());
     if (out.matches.size() < 10) return {};
     out.followers = skirts(target, own);
+    const auto expect = [&](const std::string &bone) {
+        if (own.bones.count(bone) == 0 || other.bones.count(bone) == 0) out.unbound.push_back(bone);
+    };
+    expect("head");
+    for (const std::string side : {"left", "right"})
+        for (const char *limb : {"UpperArm", "LowerArm", "Hand", "Foot"}) expect(side + limb);
     return out;
 }
 

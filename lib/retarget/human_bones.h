@@ -8,8 +8,9 @@ namespace claque::retarget
 {
 
 struct HumanBinding {
-    std::vector<JointMatch> matches;  // arms and legs are aligned; empty unless hips, legs and ten joints are bound
-    std::vector<Follower> followers;  // skirts, which follow the thighs
+    std::vector<JointMatch> matches;   // arms and legs are aligned; empty unless hips, legs and ten joints are bound
+    std::vector<Follower> followers;   // skirts, which follow the thighs
+    std::vector<std::string> unbound;  // limbs and head that one of the skeletons lacks, by VRM's names
 };
 
 HumanBinding bind_human(const model::Rig &target, const model::Rig &source, const Options &options);

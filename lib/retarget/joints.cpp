@@ -90,10 +90,12 @@ std::vector<JointMatch> without_map(const model::Rig &target, const model::Rig &
         return named;
     }
     if (options.followers.empty()) options.followers = std::move(human.followers);
-    const JointMatch &one = human.matches.front();
-    warnings.push_back(base::text_of("without a map %zu joints are bound as parts of a human body, '%s' to '%s' first",
-                                     human.matches.size(), source.node_names[one.source].c_str(),
-                                     target.node_names[one.target].c_str()));
+    std::string unbound;
+    for (const std::string &bone : human.unbound) unbound += (unbound.empty() ? "" : ", ") + bone;
+    if (!unbound.empty())
+        warnings.push_back(
+            base::text_of("without a map %zu joints are bound as parts of a human body, and none as %s%s",
+                          human.matches.size(), unbound.c_str(), map_helps));
     return std::move(human.matches);
 }
 

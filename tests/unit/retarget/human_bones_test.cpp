@@ -39,6 +39,7 @@ const std::vector<std::pair<const char *, Names>> &conventions()
         {"Biped",
          {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Head", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand",
           "Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot"}},
+        {"Maya", {"pelvis28", "spine1", "head1", "l_shoulder1", "l_elbow1", "l_hand1", "l_hip1", "l_knee1", "l_foot1"}},
         {"Poser", {"hip", "abdomen", "head", "lShldr", "lForeArm", "lHand", "lThigh", "lShin", "lFoot"}}};
     const std::vector<std::string> parts = {"hips",  "spine", "head",  "arm.", "elbow.",
                                             "hand.", "leg.",  "knee.", "foot."};
@@ -53,7 +54,7 @@ const std::vector<std::pair<const char *, Names>> &conventions()
                 const size_t word = right.find("Left"), letter = right.find_last_of("lL");
                 if (word != std::string::npos) right.replace(word, 4, "Right");
                 else if (right.find("J_Bip_L") == 0) right[6] = 'R';
-                else if (std::string(program) == "Poser") right[0] = 'r';
+                else if (std::string(program) == "Poser" || std::string(program) == "Maya") right[0] = 'r';
                 else if (right.find("Bip01 L") == 0) right[6] = 'R';
                 else if (letter != std::string::npos) right[letter] = right[letter] == 'l' ? 'r' : 'R';
                 if (i >= 3) one[parts[i] + "r"] = right;
@@ -145,6 +146,44 @@ TEST(HumanBones, BindTheHipsToTheJointAboveBothLegs)
     EXPECT_EQ(bound["mixamorig:Hips"], "bind_0001");
     EXPECT_EQ(bound["mixamorig:Head"], "head");
     EXPECT_EQ(bound.size(), 15u);
+}
+
+// A mesh may hang under its limb's name beside the skeleton, and so may the skeleton of the person who animated it.
+TEST(HumanBones, AreJointsOfSkinsBeforeOtherNodesOfTheirNames)
+{
+    std::vector<Bone> bones = person(1, 0);
+    bones.insert(bones.begin() + 1, {"beside", "hips", {0, 0.4f, 0.2f}});
+    Names names = conventions()[0].second;
+    for (const char *name : {"arm.l", "leg.l", "knee.l"}) {
+        names["beside"] = names[name];
+        const std::string limb = names[name];
+        Names others = names;
+        others[name] = "other " + limb;  // the same part of the body
+        model::Rig target = named(rig_of(bones), others);
+        target.palette.clear();
+        for (uint32_t i = 0; i < target.node_count(); ++i) {
+            if (std::string(target.node_names[i]) == limb) continue;
+            target.palette.push_back({});
+            target.palette.back().node = i, target.palette.back().inverse_bind.c[9] = -1;
+        }
+        const model::Rig source = named(rig_with_motion(person(1, 0)), conventions()[1].second);
+        bool is_bound = false;
+        for (const retarget::JointMatch &match : retarget::bind_human(target, source, {}).matches) {
+            EXPECT_NE(std::string(target.node_names[match.target]), limb);
+            is_bound = is_bound || std::string(target.node_names[match.target]) == others[name];
+        }
+        EXPECT_TRUE(is_bound) << limb;
+    }
+}
+
+TEST(HumanBones, NameTheLimbsThatAreNotBound)
+{
+    const model::Rig source = named(rig_with_motion(person(1, 0)), conventions()[1].second);
+    Names names = conventions()[0].second;
+    EXPECT_TRUE(retarget::bind_human(named(rig_of(person(1, 0)), names), source, {}).unbound.empty());
+    names["hand.r"] = "claw";
+    const retarget::HumanBinding bound = retarget::bind_human(named(rig_of(person(1, 0)), names), source, {});
+    EXPECT_EQ(bound.unbound, std::vector<std::string>{"rightHand"});
 }
 
 TEST(HumanBones, SwapLeftAndRightOfAMirroredSkeleton)

@@ -265,7 +265,8 @@ TEST(Rest, OfACaseAlongOneAxisMovesABuiltInPerson)
     const uint32_t clip = static_cast<uint32_t>(citizen.rig.clips.size());
     const retarget::Report report = retarget::add_clips(citizen.rig, motion.rig, {});
     EXPECT_TRUE(says(report, "lie along x")) << all(report);
-    EXPECT_TRUE(says(report, "without a map 21 joints are bound as parts of a human body")) << all(report);
+    EXPECT_EQ(report.joint_count, 21u);
+    EXPECT_FALSE(says(report, "without a map")) << all(report);
     EXPECT_FALSE(says(report, "clip '")) << all(report);
     for (uint32_t k = 0; k < 31; ++k) {
         const Posed t = posed(citizen.rig, clip, k);
