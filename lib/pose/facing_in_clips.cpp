@@ -21,16 +21,20 @@ model::Facing facing_at(const model::Rig &rig, Workspace &work, uint32_t clip, d
     return model::facing_of(rig, globals);
 }
 
-// At the middle, if it faces there at other moments too: dancers turn, and falls show no facing.
+// The first way that it faces at five of seven moments: dancers turn, falls show no facing, and toes of runners swing.
 model::Facing steady_facing(const model::Rig &rig, Workspace &work, uint32_t clip)
 {
-    const model::Facing middle = facing_at(rig, work, clip, 0.5);
-    if (!middle.seen || !(rig.clips[clip].duration_s > 0)) return middle;
-    for (const double part : {0.05, 0.2, 0.35, 0.65, 0.8, 0.95}) {
-        const model::Facing other = facing_at(rig, work, clip, part);
-        if (!other.seen || model::quarter_of(other.heading_deg) != model::quarter_of(middle.heading_deg)) return {};
+    if (!(rig.clips[clip].duration_s > 0)) return facing_at(rig, work, clip, 0.5);
+    model::Facing first[4];
+    uint32_t moments[4] = {0, 0, 0, 0};
+    for (const double part : {0.5, 0.05, 0.2, 0.35, 0.65, 0.8, 0.95}) {
+        const model::Facing facing = facing_at(rig, work, clip, part);
+        if (!facing.seen) continue;
+        const int quarter = model::quarter_of(facing.heading_deg);
+        if (moments[quarter]++ == 0) first[quarter] = facing;
+        if (moments[quarter] == 5) return first[quarter];
     }
-    return middle;
+    return {};
 }
 
 }  // namespace
@@ -54,7 +58,8 @@ model::Facing facing_in_clips(const model::Rig &rig)
         const int quarter = model::quarter_of(facing.heading_deg);
         if (votes[quarter]++ == 0) first[quarter] = facing;
     }
-    return first[std::max_element(votes, votes + 4) - votes];
+    const int front = model::quarter_of(0), most = int(std::max_element(votes, votes + 4) - votes);
+    return first[votes[front] == votes[most] ? front : most];
 }
 
 }  // namespace claque::pose

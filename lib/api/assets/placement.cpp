@@ -17,7 +17,7 @@ namespace
 {
 
 constexpr double largest_scale = 1e6;
-constexpr double lowest_person = 0.5, highest_person = 4, usual_person = 1.75;  // metres
+constexpr double lowest_person = 0.6, highest_person = 4, usual_person = 1.75;  // metres
 
 bool is_scale(double scale) { return scale >= 1 / largest_scale && scale <= largest_scale; }
 
