@@ -84,6 +84,14 @@ size_t count(const std::string &bytes, const std::string &name, const std::funct
     return found;
 }
 
+bool is_last_saved_by(const std::string &bytes, const std::string &program)
+{
+    constexpr size_t header_bytes = 65536, value_bytes = 64;  // type and flags stand before the value
+    const std::string head = bytes.substr(0, header_bytes), name = "LastSaved|ApplicationName";
+    const size_t at = head.find(name);
+    return at != std::string::npos && head.substr(at + name.size(), value_bytes).find(program) != std::string::npos;
+}
+
 bool find_diffuse_colour(const std::string &bytes, const std::string &material, Three &out)
 {
     if (!is_binary_fbx(bytes)) return false;

@@ -23,11 +23,13 @@ double linear(double displayed)
     return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-bool is_fbx_of_blender(const aiScene &scene)
+// Written by Blender, or sent through another program since (Mixamo).
+bool is_fbx_of_blender(const Scene &scene)
 {
     aiString generator;
-    return scene.mMetaData && scene.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) &&
-           std::string(generator.C_Str()).rfind("Blender (", 0) == 0;
+    return (scene.from.mMetaData && scene.from.mMetaData->Get(AI_METADATA_SOURCE_GENERATOR, generator) &&
+            std::string(generator.C_Str()).rfind("Blender (", 0) == 0) ||
+           is_last_saved_by(scene.bytes, "Blender (");
 }
 
 // Blender's FBX has colours as light, and a diffuse factor that Blender itself does not read. Assimp multiplies by it.
@@ -36,7 +38,7 @@ Three base_colour(const Scene &scene, const aiMaterial &from, const std::string 
     aiColor4D colour(0.8f, 0.8f, 0.8f, 1);  // of a material that gives none
     if (from.Get(AI_MATKEY_COLOR_DIFFUSE, colour) != AI_SUCCESS) (void)from.Get(AI_MATKEY_BASE_COLOR, colour);
     Three out = {double(colour.r), double(colour.g), double(colour.b)};
-    const bool is_light = is_fbx_of_blender(scene.from);
+    const bool is_light = is_fbx_of_blender(scene);
     if (is_light) (void)find_diffuse_colour(scene.bytes, name, out);
     for (double &channel : out) channel = is_light ? within_one(channel) : linear(channel);
     return out;
@@ -54,11 +56,7 @@ std::optional<size_t> texture_of(Scene &scene, Pictures &pictures, const aiMater
 {
     const std::string picture = picture_name(from);
     std::optional<size_t> texture;
-    if (!picture.empty()) {
-        const size_t warned = scene.warnings.size();
-        texture = pictures.texture_of(picture, name);
-        if (!texture && !scene.options.picture.empty()) scene.warnings.resize(warned);
-    }
+    if (!picture.empty()) texture = pictures.texture_of(picture, name);
     if (!texture && !scene.options.picture.empty()) texture = pictures.texture_of_file(scene.options.picture);
     return texture;
 }
@@ -104,16 +102,20 @@ void add_materials(Scene &scene)
 {
     Pictures pictures(scene);
     const bool asks = scene.options.picture.empty() && !names_pictures(scene.from);
+    std::vector<std::string> without;
     for (unsigned m = 0; m < scene.from.mNumMaterials; ++m) {
         const aiMaterial &from = *scene.from.mMaterials[m];
         aiString name;
         (void)from.Get(AI_MATKEY_NAME, name);
         const std::string known = name.length ? name.C_Str() : "material " + std::to_string(m + 1);
         const Json material = material_json(scene, pictures, from, known);
-        if (asks && lacks_picture(scene.from, m, material))
-            scene.warn("material '" + known + "' names no picture: --picture FILE gives it one");
+        if (asks && lacks_picture(scene.from, m, material)) without.push_back(known);
         scene.glb.add("materials", material);
     }
+    if (!without.empty())
+        scene.warn((without.size() == 1 ? "material " : "materials ") + listed(without) +
+                   (without.size() == 1 ? " is" : " are") + " grey and without a picture: --picture FILE gives one");
+    if (scene.options.picture.empty()) pictures.warn_of_missing();
 }
 
 }  // namespace convert

@@ -1,4 +1,5 @@
 // Assimp's tree of nodes as nodes of glTF, in metres and with y up.
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -53,9 +54,7 @@ void add_node(Scene &scene, const aiNode &node, unsigned depth)
 {
     if (depth > deepest) throw std::runtime_error("its nodes are nested too deep");
     const float shear = shear_of(node.mTransformation);
-    if (!(shear < 1e-4f))
-        scene.warn("node '" + std::string(node.mName.C_Str()) + "' is sheared by " + std::to_string(shear) +
-                   ", which a node of glTF cannot be: it is written without");
+    if (!(shear < 1e-4f)) scene.sheared.emplace_back(node.mName.C_Str());
     const size_t index = scene.glb.add("nodes", node_json(node));
     scene.nodes[&node] = index;
     scene.named.emplace(node.mName.C_Str(), &node);
@@ -66,7 +65,22 @@ void add_node(Scene &scene, const aiNode &node, unsigned depth)
 
 }  // namespace
 
-void add_nodes(Scene &scene) { add_node(scene, *scene.from.mRootNode, 0); }
+std::string listed(const std::vector<std::string> &names)
+{
+    constexpr size_t most = 4;
+    std::string out;
+    for (size_t i = 0; i < std::min(most, names.size()); ++i) out += (i ? ", '" : "'") + names[i] + "'";
+    return names.size() <= most ? out : out + " and " + std::to_string(names.size() - most) + " more";
+}
+
+void add_nodes(Scene &scene)
+{
+    add_node(scene, *scene.from.mRootNode, 0);
+    if (!scene.sheared.empty())
+        scene.warn((scene.sheared.size() == 1 ? "node " : "nodes ") + listed(scene.sheared) +
+                   (scene.sheared.size() == 1 ? " is" : " are") +
+                   " sheared, which nodes of glTF cannot be: written without, so what hangs there may look bent");
+}
 
 aiMatrix4x4 global_of(const aiNode &node)
 {

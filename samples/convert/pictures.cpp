@@ -98,7 +98,10 @@ std::optional<size_t> Pictures::texture_of_file(const std::string &path)
 std::optional<size_t> Pictures::texture_of(const std::string &name, const std::string &material)
 {
     const auto [place, is_new] = known_.emplace(name, std::nullopt);
-    if (!is_new) return place->second;
+    if (!is_new) {
+        if (!place->second) missing_[name].push_back(material);
+        return place->second;
+    }
     if (const aiTexture *embedded = scene_.from.GetEmbeddedTexture(name.c_str())) {
         place->second = add(bytes_of_embedded(*embedded), base_of(name));
     } else {
@@ -106,10 +109,16 @@ std::optional<size_t> Pictures::texture_of(const std::string &name, const std::s
         const std::string found = find_below(folder.empty() ? fs::path(".") : folder, name);
         if (!found.empty()) place->second = add(as_png_or_jpeg(bytes_of_file(found)), base_of(found));
     }
-    if (!place->second)
-        scene_.warn("the picture '" + base_of(name) + "' of material '" + material +
-                    "' is missing or no picture that is read: its base colour is shown");
+    if (!place->second) missing_[name].push_back(material);
     return place->second;
+}
+
+void Pictures::warn_of_missing() const
+{
+    for (const auto &[picture, materials] : missing_)
+        scene_.warn(
+            "the picture '" + base_of(picture) + "' is missing or no picture that is read: " + listed(materials) +
+            (materials.size() == 1 ? " shows its" : " show their") + " base colour; --picture FILE gives them one");
 }
 
 }  // namespace convert

@@ -23,11 +23,16 @@ struct Scene {
     std::multimap<std::string, const aiNode *> named = {};  // those of one name: parents first
     std::vector<std::string> warnings = {};
 
+    std::vector<std::string> sheared = {};  // nodes that lose their shear
+
     void warn(std::string text)
     {
         if (warnings.size() < 64) warnings.push_back(std::move(text));
     }
 };
+
+// The first few names in quotes, and how many more there are.
+std::string listed(const std::vector<std::string> &names);
 
 // Where the joints of one mesh on one node stand, and which vertices follow them.
 struct Skin {

@@ -66,7 +66,7 @@ FbxNode material(int64_t id, const std::string &name, std::array<double, 3> colo
 }
 
 // Two triangles of two materials; the name of one ends with the other's.
-std::string fbx_by(const std::string &creator)
+std::string fbx_by(const std::string &creator, const std::string &last_saved_by)
 {
     const std::string geometry("square\0\1Geometry", 16), model("square\0\1Model", 13);
     const FbxNode by_triangle = {"LayerElementMaterial",
@@ -78,7 +78,13 @@ std::string fbx_by(const std::string &creator)
         "Layer", {0}, {{"LayerElement", {}, {{"Type", {"LayerElementMaterial"}, {}}, {"TypedIndex", {0}, {}}}}}};
     const auto link = [](int64_t from, int64_t to) { return FbxNode{"C", {"OO", from, to}, {}}; };
     const std::vector<FbxNode> all = {
-        {"FBXHeaderExtension", {}, {{"FBXVersion", {7400}, {}}, {"Creator", {creator}, {}}}},
+        {"FBXHeaderExtension",
+         {},
+         {{"FBXVersion", {7400}, {}},
+          {"Creator", {creator}, {}},
+          {"SceneInfo",
+           {"GlobalInfo"},
+           {{"Properties70", {}, {{"P", {"LastSaved|ApplicationName", "KString", "", "", last_saved_by}, {}}}}}}}},
         {"GlobalSettings", {}, {{"Version", {1000}, {}}, {"Properties70", {}, {}}}},
         {"Definitions", {}, {{"Version", {100}, {}}}},
         {"Objects",
@@ -99,9 +105,10 @@ std::string fbx_by(const std::string &creator)
 }
 
 struct FbxColours : cli_test::Command {
-    void expect_colour(const std::string &creator, const std::string &name, std::array<double, 3> wanted)
+    void expect_colour(const std::string &creator, const std::string &name, std::array<double, 3> wanted,
+                       const std::string &last_saved_by = "")
     {
-        std::ofstream(path("square.fbx"), std::ios::binary) << fbx_by(creator);
+        std::ofstream(path("square.fbx"), std::ios::binary) << fbx_by(creator, last_saved_by);
         const std::string glb = convert::convert_file(path("square.fbx"), {}, {}).glb;
         uint32_t size = 0;
         std::memcpy(&size, &glb.at(12), 4);
@@ -124,6 +131,14 @@ TEST_F(FbxColours, OfBlenderAreLightAndIgnoreTheFactor)
         expect_colour(blender, "Skin", {0.359, 0.275, 0.141});
         expect_colour(blender, "DarkSkin", {0.094, 0.051, 0.024});
     }
+}
+
+// Mixamo writes the colours of the file that it was sent.
+TEST_F(FbxColours, OfBlenderStayLightWhereAnotherProgramWritesTheFile)
+{
+    const std::string sdk = "FBX SDK/FBX Plugins version 2020.2";
+    expect_colour(sdk, "Skin", {0.359, 0.275, 0.141}, "Blender (stable FBX IO)");
+    expect_colour(sdk, "Skin", {0.0670604, 0.0396819, 0.0121254}, "Maya");
 }
 
 // 0.8 * (0.359, 0.275, 0.141), from sRGB to light.

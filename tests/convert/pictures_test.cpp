@@ -37,7 +37,8 @@ TEST(PicturesOfMaterials, AreAskedForWhereAGreySurfaceNamesNone)
         convert::add_materials(scene);
         ASSERT_EQ(scene.warnings.size(), red == 1 ? 1u : 0u);
         if (red == 1)
-            EXPECT_EQ(scene.warnings[0], "material 'material 1' names no picture: --picture FILE gives it one");
+            EXPECT_EQ(scene.warnings[0],
+                      "material 'material 1' is grey and without a picture: --picture FILE gives one");
     }
 }
 
@@ -55,7 +56,29 @@ TEST(PicturesOfMaterials, AreAskedForOnlyWhereNoMaterialNamesOne)
     convert::Scene scene{skinned.from, options, "person.b3d"};
     convert::add_materials(scene);
     ASSERT_EQ(scene.warnings.size(), 1u);
-    EXPECT_NE(scene.warnings[0].find("'lost.png'"), std::string::npos);
+    EXPECT_EQ(scene.warnings[0],
+              "the picture 'lost.png' is missing or no picture that is read: 'material 2' shows its base colour; "
+              "--picture FILE gives them one");
+}
+
+TEST(PicturesOfMaterials, ThatAreMissingAreNamedOnceWithTheMaterialsThatLackThem)
+{
+    const convert::Options options;
+    Skinned skinned({1, 1, 1, 1});
+    const aiString name("lost.png");
+    delete skinned.from.mMaterials[0];
+    delete[] skinned.from.mMaterials;
+    skinned.from.mMaterials = new aiMaterial *[skinned.from.mNumMaterials = 6];
+    for (unsigned m = 0; m < 6; ++m) {
+        skinned.from.mMaterials[m] = new aiMaterial;
+        skinned.from.mMaterials[m]->AddProperty(&name, AI_MATKEY_TEXTURE_DIFFUSE(0));
+    }
+    convert::Scene scene{skinned.from, options, "person.b3d"};
+    convert::add_materials(scene);
+    ASSERT_EQ(scene.warnings.size(), 1u);
+    EXPECT_NE(scene.warnings[0].find("'material 1', 'material 2', 'material 3', 'material 4' and 2 more show their "),
+              std::string::npos)
+        << scene.warnings[0];
 }
 
 TEST(PicturesOfMaterials, WithHolesAreTestedByAlpha)
