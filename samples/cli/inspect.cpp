@@ -212,7 +212,12 @@ void inspect(const InspectArguments &a)
     Json report = {{"file", a.file}};
     const auto split = [&](clq_template *tmpl) {
         report["split"] = template_json(tmpl);
-        if (tells_locomotion(a)) add_locomotion(library, tmpl, a.walker, report);
+        if (!tells_locomotion(a)) return;
+        scenes::SocialClass walker = a.walker;
+        walker.placement = a.of_file.placement;
+        if (!a.clips.files.empty())
+            walker.add_clips = [&](scenes::Library &of, clq_asset *asset) { add_clips(of, asset, a.clips); };
+        add_locomotion(library, tmpl, walker, report);
     };
     if (is_prepared(a.file)) {
         const LoadedCharacter loaded = load_character(library, a.file);

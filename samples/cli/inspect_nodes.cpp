@@ -119,6 +119,11 @@ void add_locomotion(scenes::Library &library, clq_template *tmpl, const scenes::
     member.described = described;
     member.tmpl = tmpl;
     try {
+        // With the gaits that it borrows where it walks on tracks.
+        if (scenes::is_file(described.character) && !is_prepared(described.character)) {
+            member.own = scenes::walkers::template_of_file(library, described);
+            member.tmpl = tmpl = member.own.get();
+        }
         const scenes::walkers::GaitClips gaits = scenes::walkers::gait_clips(member);
         const scenes::walkers::OwnLocomotion made = scenes::walkers::locomotion_of(library, member);
         clq_locomotion_info info = clq_locomotion_info_init();

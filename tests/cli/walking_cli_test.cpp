@@ -41,7 +41,7 @@ TEST_F(PlacementOptions, FindTheWalkBehindAWordThatMostClipsBeginWith)
     write("man.glb", man);
     const char *const borrows =
         "has no clip named walk (it has: SneakWalk, SneakRun) and takes the gaits of the built-in "
-        "citizen: --walk NAME where people walk on tracks";
+        "citizen: --walk NAME, or walk in";
     const Outcome none = tracks({"--characters", path("man.glb")});
     EXPECT_EQ(none.code, 0) << none.err;
     EXPECT_TRUE(says(none, borrows)) << none.err;
@@ -106,6 +106,19 @@ TEST_F(PlacementOptions, FindTheWalkBeforeANumber)
     EXPECT_EQ(named.code, 0) << named.err;
     EXPECT_FALSE(says(named, "rest pose")) << named.err;
     EXPECT_TRUE(says(tracks({"--characters", path("man.glb"), "--idle", "M_Rnu_001"}), "'M_Run_001' is near"));
+}
+
+// What play will do.
+TEST_F(PlacementOptions, SayWhichGaitsAreBorrowedWhenTheFileIsInspected)
+{
+    FigureTraits man;
+    man.before_clips = "Sneak";
+    write("man.glb", man);
+    const Outcome outcome = claque({"inspect", path("man.glb"), "--nodes"});
+    EXPECT_NE(outcome.out.find("walk  clip \"walk\""), std::string::npos) << outcome.out;
+    EXPECT_NE(outcome.out.find("run  clip \"jog\""), std::string::npos) << outcome.out;
+    EXPECT_TRUE(says(outcome, "takes the gaits of the built-in citizen")) << outcome.err;
+    EXPECT_TRUE(says(outcome, "none as leftUpperArm, ")) << outcome.err;
 }
 
 TEST_F(PlacementOptions, NameTheNodesAndClipsThatInspectSays)

@@ -164,9 +164,8 @@ void borrow_gaits(Library &library, const SocialClass &one, const clq_asset_opti
     if (!can_borrow(one.character, options) || add_gaits(library.context(), asset) < least_joints) return;
     const std::string sentence =
         one.character + " has no clip named walk (it has: " + (names.empty() ? "none" : io::joined(names)) +
-        ") and takes the gaits of the built-in citizen: --walk NAME where people walk on tracks, or walk in the clips "
-        "of "
-        "a scenario's class, names one of its own, and --clips FILE of play and prepare adds others";
+        ") and takes the gaits of the built-in citizen: --walk NAME, or walk in the clips of a scenario's class, takes "
+        "one of its own";
     clq_context_log(library.context(), CLQ_LOG_WARNING, sentence.c_str());
 }
 
