@@ -20,6 +20,16 @@ typedef enum clq_blend {
     CLQ_BLEND_MASK = 2    /* an alpha test: opaque where alpha is 0.5 and more, nothing elsewhere (hair, lashes) */
 } clq_blend;
 
+/* The colours of individuals in zones that have no colour range of their own. Zone keys with ranges, and maps of
+ * colours, are not touched. */
+typedef enum clq_colours {
+    /* Near those of the file. Skin and hair stay human, all skin has one colour, and eyes, teeth and metal keep theirs
+     * (docs/characters.md). */
+    CLQ_COLOURS_NEAR = 0,
+    CLQ_COLOURS_WILD = 1, /* most hues */
+    CLQ_COLOURS_OWN = 2   /* those of the file */
+} clq_colours;
+
 typedef struct clq_asset_options {
     uint32_t struct_bytes; /* set by clq_asset_options_init */
     /* The folder of external buffers and images. NULL: clq_asset_load refuses them, clq_asset_load_file uses the folder
@@ -40,14 +50,11 @@ typedef struct clq_asset_options {
     double turn_deg;
     /* The height of the rest pose in model units, without hidden parts: above 0, and at most 1e6 times or a millionth
      * of the file's own. 0 (default): the file's own. A file without vertices has no height. A warning names a
-     * person with arms and legs below 0.5 or above 4 units, unless a height or a scale is given */
+     * person with arms and legs below 0.6 or above 4 units, unless a height or a scale is given */
     double height_m;
     double scale; /* multiplies the size: [1e-6, 1e6], and not beside height_m. 0 (default): 1 */
     clq_blend blend;
-    /* Zones that have no colour range of their own. false: individuals stay near the colours of the file, skin and hair
-     * stay human, all skin has one colour, and eyes, teeth and metal keep theirs (docs/characters.md). true: most hues.
-     * Zone keys with ranges, and maps of colours, are not touched. */
-    bool wild_colours;
+    clq_colours colours;
 } clq_asset_options;
 
 CLQ_DEFINE_ZERO_INIT(clq_asset_options)

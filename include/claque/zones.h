@@ -36,7 +36,7 @@ typedef struct clq_zone_map_zone {
      * colour is white. */
     bool reduced;
     /* The range that clq_actor_randomise_colours samples. NULL: a range near the colour, which follows from the name
-     * (skin, hair, leather, ...) and the place on the body; a wide one with clq_asset_options.wild_colours. */
+     * (skin, hair, leather, ...) and the place on the body; a wide one, or none, with clq_asset_options.colours. */
     const clq_hsb_range *range;
 } clq_zone_map_zone;
 

@@ -4,7 +4,7 @@
 
 #include "lib/asset/gltf_build.h"
 #include "lib/asset/gltf_header.h"
-#include "lib/asset/own_colours.h"
+#include "lib/asset/near_colours.h"
 
 namespace claque::asset
 {
@@ -68,7 +68,7 @@ model::Model load_gltf(const uint8_t *bytes, size_t size, const LoadOptions &opt
     model.source_bytes = budget.source_bytes();
     check_as_format(model);
     if (own_turn_deg) *own_turn_deg = is_vrm_0(root) ? 180 : 0;
-    if (!options.wild_colours) keep_own_colours(model, material_zones(model));
+    give_ranges(model, material_zones(model), options.colours);
     return model;
 }
 

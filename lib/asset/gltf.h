@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/model/model.h"
+#include "lib/asset/near_colours.h"
 
 namespace claque::asset
 {
@@ -26,8 +26,8 @@ struct LoadOptions {
     // (image.h).
     uint64_t memory_limit_bytes = 1ull << 30;
     uint32_t max_image_px = 16384;  // width and height
-    bool strict = false;        // a picture whose file is missing fails; else the base colour is shown, with a warning
-    bool wild_colours = false;  // of zones without zone keys: as far as zone_ranges.h lets them, not as own_colours.h
+    bool strict = false;  // a picture whose file is missing fails; else the base colour is shown, with a warning
+    Colours colours = Colours::near;  // of zones without zone keys
     Blend blend = Blend::unset;
     double motion_unit_m = 1;  // metres (model units) per unit of a BVH file, which has none of its own
 };

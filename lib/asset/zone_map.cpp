@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/asset/own_colours.h"
+#include "lib/asset/near_colours.h"
 #include "lib/asset/zone_ranges.h"
 #include "lib/base/error.h"
 
@@ -52,7 +52,8 @@ void check(const model::Model &model, uint32_t image, const ZoneMap &map, size_t
     for (const uint32_t user : users)
         if (model.materials[user].alpha_mode == model::AlphaMode::mask)
             fail(CLQ_ARGUMENT,
-                 "material '%s' is cut out by the alpha of image %u '%s', which has no room for zone keys",
+                 "material '%s' is cut out by the alpha of image %u '%s', which has no room for zone keys: divide "
+                 "another image (--image), or colour its zone as a whole (docs/colours.md)",
                  model.materials[user].name.c_str(), image, model.images[image].name.c_str());
 }
 
@@ -251,7 +252,7 @@ private:
 }  // namespace
 
 void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones,
-                  bool wild_colours)
+                  Colours colours)
 {
     check(model, image, map, zones.size());
     model::Model next;
@@ -276,10 +277,10 @@ void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const
             if (wanted[i] == z) texels.rgba[4 * i + 3] = key;
     }
     drop_unused_zones(next);
-    if (!wild_colours) {
+    if (colours != Colours::wild) {
         const std::vector<bool> open = open_zones(next, keyed_zones(model), zones);
         const Lent lent(model, next);
-        keep_own_colours(next, open);
+        give_ranges(next, open, colours);
     }
     model.zones = std::move(next.zones), model.materials = std::move(next.materials);
     model.images = std::move(next.images);

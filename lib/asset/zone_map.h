@@ -2,7 +2,7 @@
 // of reduced zones become grey, so that they can take light and dark colours alike (S2 2.3).
 #pragma once
 
-#include "lib/model/model.h"
+#include "lib/asset/near_colours.h"
 
 namespace claque::asset
 {
@@ -12,7 +12,7 @@ constexpr uint16_t unknown_zone = 0xffff;
 struct ZoneMapZone {
     std::string name;
     bool reduced = false;  // its texels become grey, scaled to full brightness; else they keep their colours
-    const model::HsbRange *range = nullptr;  // the range that colours are sampled from; null: as own_colours.h says
+    const model::HsbRange *range = nullptr;  // the range that colours are sampled from; null: as near_colours.h says
 };
 
 // A map of any size: each texel of the image takes the zone at its centre. Unknown texels take the nearest known zone.
@@ -23,10 +23,10 @@ struct ZoneMap {
 };
 
 // Removes zones of the model that are no longer shown. A zone whose name another image's keys already use becomes the
-// same zone. Wild colours are those of zone_ranges.h; other zones of the model's materials then stay as they are too.
+// same zone. `colours`: of zones without a range; if they are wild, other zones of the model's materials stay too.
 // Throws base::Error: CLQ_ARGUMENT for a value out of range, an image that no material shows or whose alpha
 // cuts out, or a map without known texels; CLQ_LIMIT for more than 256 zones. The model is then unchanged.
 void set_zone_map(model::Model &model, uint32_t image, const ZoneMap &map, const std::vector<ZoneMapZone> &zones,
-                  bool wild_colours = false);
+                  Colours colours = Colours::near);
 
 }  // namespace claque::asset

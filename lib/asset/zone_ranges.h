@@ -1,5 +1,5 @@
 // The wide colour ranges of zones whose files give none: of keyed zones, and of all that are asked to be wild
-// (own_colours.h keeps the others near their files). S2 5.
+// (near_colours.h keeps the others near their files). S2 5.
 #pragma once
 
 #include <array>

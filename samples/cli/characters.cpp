@@ -77,7 +77,7 @@ scenes::Own<clq_template> template_of(scenes::Library &library, const LoadedChar
         expect_unplaced(of_file, path + " is prepared already, with claque prepare");
         if (!clips.files.empty() || clips.vary > 0)
             throw scenes::Failure(path + " is prepared already; add clips earlier, with claque prepare --clips");
-        return library.load_prepared(path, of_file.placement.wild_colours);
+        return library.load_prepared(path, of_file.placement.colours);
     } else {
         if (levels == scenes::Lod::on) made = in_levels(library, path, of_file, clips);
         if (!made) check(clq_asset_build(library.context(), loaded.asset.get(), 0, &made), path);

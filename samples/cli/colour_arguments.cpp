@@ -13,13 +13,15 @@ CLI::Option *add_colours_option(CLI::App &command, std::string &file, scenes::Pl
                                 const std::string &about)
 {
     const auto take = [&file, &placed](const std::string &value) {
-        placed.wild_colours = value == "wild";
-        file = placed.wild_colours ? "" : value;
+        placed.colours = scenes::colours_of(value);
+        file = placed.colours != CLQ_COLOURS_NEAR ? "" : value;
     };
     return command
         .add_option_function<std::string>(
-            "--colours", take, about + "; wild: characters from files wear most hues, not colours near their files'")
-        ->type_name("FILE|wild");
+            "--colours", take,
+            about +
+                "; wild: characters from files wear most hues, not colours near their files'; own: their files' own")
+        ->type_name("FILE|wild|own");
 }
 
 void add_reload_option(CLI::App &command, bool &reload)
@@ -48,7 +50,7 @@ SceneColours::SceneColours(scenes::Library &library, const std::string &file, bo
 {
     if (!reload) return;
     if (file.empty())
-        throw scenes::Failure("--reload needs a file of colours, which may change: --colours wild names none");
+        throw scenes::Failure("--reload needs a file of colours, which may change: --colours wild and own name none");
     file_.emplace(library, file);
 }
 

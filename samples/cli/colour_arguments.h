@@ -12,7 +12,7 @@
 namespace cli
 {
 
-// A FILE of colours, or "wild" (docs/characters.md), for --colours.
+// A FILE of colours, "wild" or "own" (docs/characters.md), for --colours.
 CLI::Option *add_colours_option(CLI::App &command, std::string &file, scenes::Placement &placed,
                                 const std::string &about);
 // For commands with --colours that draw a scene frame by frame.

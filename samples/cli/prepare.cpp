@@ -52,9 +52,9 @@ void add_prepare(CLI::App &app, Work &chosen)
     add_clip_options(*c, a->clips);
     add_zone_options(*c, a->zones);
     c->add_option_function<std::string>(
-         "--colours", [a](const std::string &) { a->of_file.placement.wild_colours = true; },
-         "wild: individuals wear most hues, not colours near the file's")
-        ->check(CLI::IsMember({"wild"}));
+         "--colours", [a](const std::string &name) { a->of_file.placement.colours = scenes::colours_of(name); },
+         "wild: individuals wear most hues, not colours near the file's; own: the file's own")
+        ->check(CLI::IsMember({"wild", "own"}));
     c->add_option("--lod", a->lod,
                   "Make levels of detail (on; without added clips they come from the cache folder the next time), or "
                   "keep those of the file alone (off)")

@@ -37,8 +37,9 @@ Json about(const RenderArguments &a, const scenes::SceneOptions &options, const 
     report["camera"] = camera_of(a, options);
     if (!a.setup.path.empty()) report["path"] = a.setup.path;
     if (!a.setup.scenario.empty()) report["scenario"] = a.setup.scenario;
-    const bool wild = a.setup.of_file.placement.wild_colours;
-    if (wild || !a.setup.colours.empty()) report["colours"] = wild ? "wild" : a.setup.colours;
+    const clq_colours colours = a.setup.of_file.placement.colours;
+    if (colours != CLQ_COLOURS_NEAR) report["colours"] = scenes::name_of(colours);
+    else if (!a.setup.colours.empty()) report["colours"] = a.setup.colours;
     report["strategy"] = a.setup.strategy;
     report["cache"] = a.setup.cache;
     report["threads"] = threads_each(a.setup, a.processes, ranks);

@@ -39,7 +39,7 @@ void read_scenario(SceneArguments &a)
         if (!scenes::is_file(one.character)) continue;
         scenes::Placement own = one.placement.is_placed() ? one.placement : given;
         own.blend = one.placement.blend ? one.placement.blend : given.blend;
-        own.wild_colours = one.placement.wild_colours || given.wild_colours;
+        own.colours = one.placement.colours ? one.placement.colours : given.colours;
         own.hidden = given.hidden;
         one.placement = own;
     }

@@ -51,7 +51,7 @@ Json scene_about(const SceneArguments &s, const scenes::SceneOptions &options)
     scene["levels"] = {s.lod, s.lod_scale, s.flat_triangles};
     scene["shadows"] = {s.shadows, s.blob_from_m};
     scene["show"] = s.show;
-    scene["colours"] = placed.wild_colours ? Json("wild") : file_about(s.colours);
+    scene["colours"] = placed.colours ? Json(scenes::name_of(placed.colours)) : file_about(s.colours);
     scene["key_poses"] = s.cache.rfind("keypose", 0) == 0 ? Json({s.cache, s.key_poses, s.key_pose_hz}) : Json();
     if (!s.made_of.is_null()) scene.update(s.made_of);
     return scene;

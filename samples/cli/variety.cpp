@@ -167,8 +167,9 @@ void draw_people(Board &board, Portraits &portraits, uint32_t count, const Box &
 void draw_variety(const VarietyArguments &a)
 {
     expect_writable(a.out);
-    if (a.of_file.placement.wild_colours && !a.colour_class.empty())
-        throw scenes::Failure("--class " + a.colour_class + " needs a map of colours: --colours wild has no classes");
+    if (a.of_file.placement.colours && !a.colour_class.empty())
+        throw scenes::Failure("--class " + a.colour_class + " needs a map of colours: --colours " +
+                              scenes::name_of(a.of_file.placement.colours) + " has no classes");
     scenes::Library library(core_count());
     const LoadedCharacter loaded = load_character(library, a.file, a.of_file);
     const clq_template *tmpl = loaded.tmpl.get();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "samples/io/files.h"
+#include "samples/scenes/placement.h"
 
 namespace scenes
 {
@@ -95,13 +96,12 @@ void Library::share_templates(bool makes, Exchange exchange)
     exchange_ = std::move(exchange);
 }
 
-Own<clq_template> Library::load_prepared(const std::string &path, bool wants_wild)
+Own<clq_template> Library::load_prepared(const std::string &path, clq_colours wanted)
 {
-    if (wants_wild)
+    if (wanted != CLQ_COLOURS_NEAR)
         clq_context_log(
             context(), CLQ_LOG_WARNING,
-            (path + " keeps its colours, as it is prepared already: claque prepare --colours wild makes it wear "
-                    "most hues")
+            (path + " keeps its colours, as it is prepared already: claque prepare takes --colours " + name_of(wanted))
                 .c_str());
     std::string bytes;
     const std::string wrong = io::read_whole(path, bytes, io::most_file_bytes);

@@ -41,8 +41,8 @@ public:
     clq_template *looking(const std::string &name, bool levels);
     // A character of the caller's own: `make` is called at the first request of the name.
     clq_template *own(const std::string &name, const std::function<Own<clq_template>()> &make);
-    // The template in a prepared file. `wants_wild`: a warning says where its colours are chosen.
-    Own<clq_template> load_prepared(const std::string &path, bool wants_wild = false);
+    // The template in a prepared file. Its colours are chosen already, which a warning says where others are wanted.
+    Own<clq_template> load_prepared(const std::string &path, clq_colours wanted = CLQ_COLOURS_NEAR);
     // Makes a template, or takes the one that another process made (share_templates).
     Own<clq_template> shared(const std::function<Own<clq_template>()> &make);
     std::vector<std::string> warnings() const;  // each once

@@ -13,7 +13,7 @@ namespace scenes
 struct Placement {
     double turn_deg = 0, height_m = 0, scale = 0;  // as in clq_asset_options
     clq_blend blend = CLQ_BLEND_UNSET;             // likewise
-    bool wild_colours = false;                     // likewise; it means nothing to other characters
+    clq_colours colours = CLQ_COLOURS_NEAR;        // likewise; they mean nothing to other characters
     std::vector<std::string> hidden = {};          // nodes
 
     bool has_size() const { return height_m != 0 || scale != 0; }
@@ -23,11 +23,21 @@ struct Placement {
     void give(clq_asset_options &options, std::vector<const char *> &names) const
     {
         options.turn_deg = turn_deg, options.height_m = height_m, options.scale = scale;
-        options.blend = blend, options.wild_colours = wild_colours;
+        options.blend = blend, options.colours = colours;
         for (const std::string &name : hidden) names.push_back(name.c_str());
         options.hidden_nodes = names.data(), options.hidden_node_count = static_cast<uint32_t>(names.size());
     }
 };
+
+// "wild" and "own" in place of a file of colours; CLQ_COLOURS_NEAR: neither.
+inline clq_colours colours_of(const std::string &name)
+{
+    return name == "wild" ? CLQ_COLOURS_WILD : name == "own" ? CLQ_COLOURS_OWN : CLQ_COLOURS_NEAR;
+}
+inline const char *name_of(clq_colours colours)
+{
+    return colours == CLQ_COLOURS_WILD ? "wild" : colours == CLQ_COLOURS_OWN ? "own" : "near";
+}
 
 // Names of nodes; empty: found by their usual names.
 struct WalkingNodes {

@@ -171,9 +171,12 @@ TEST_F(OneCall, MakesWhatItKeepsOfTheFilesBesideAndOfTheOptions)
     options.strict = true;
     loaded(file, &options);
     EXPECT_EQ(files(), 3u) << "the options have changed";
-    options.wild_colours = true;
+    options.colours = CLQ_COLOURS_WILD;
     loaded(file, &options);
     EXPECT_EQ(files(), 4u) << "the colours have changed";
+    options.colours = CLQ_COLOURS_OWN;
+    loaded(file, &options);
+    EXPECT_EQ(files(), 5u) << "the colours have changed again";
 }
 
 TEST_F(OneCall, BuildsWithoutLevelsWhatIsRefusedLevels)

@@ -176,7 +176,7 @@ TEST_F(Reading, EndsWithOneSentenceWhereAKeyNamesNoFile)
         {"area", people + "[tracks]\nfile = 's.toml'\n[ground]\narea = '@'\n"},
         {"navigation.area", stage + "[navigation]\narea = '@'\n" + agents}};
     std::ifstream page(CLAQUE_SOURCE_DIR "/docs/scenarios.md");
-    const std::regex row("^\\| `([a-z_.]+)`[^|]*\\| (text or )?file( or \"wild\")? \\|.*");
+    const std::regex row("^\\| `([a-z_.]+)`[^|]*\\| (text or )?file(, \"wild\" or \"own\")? \\|.*");
     size_t rows = 0;
     for (std::string line; std::getline(page, line);)
         if (std::smatch found; std::regex_match(line, found, row) && found[1] != "mechanism") {

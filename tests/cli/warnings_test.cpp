@@ -126,13 +126,15 @@ TEST_F(Warnings, OfClipsAreSaidOnceThoughTheyAreReadTwice)
 
 TEST_F(Warnings, SayThatPreparedFilesKeepTheirColours)
 {
-    const std::string keeps = "person.clq keeps its colours, as it is prepared already: claque prepare --colours wild";
+    const std::string keeps =
+        "person.clq keeps its colours, as it is prepared already: claque prepare takes --colours ";
     ASSERT_EQ(claque({"prepare", file_, "--out", path("person.clq")}).code, 0);
     const auto rendered = [&](std::vector<std::string> more) {
         more.insert(more.begin(), {"render", path("person.clq"), "--size", "64x48", "--out", path("a.png")});
         return claque(more).err;
     };
-    EXPECT_EQ(times(rendered({"--colours", "wild"}), keeps), 1u);
+    for (const std::string colours : {"wild", "own"})
+        EXPECT_EQ(times(rendered({"--colours", colours}), keeps + colours), 1u);
     EXPECT_EQ(times(rendered({}), "keeps its colours"), 0u);
 }
 

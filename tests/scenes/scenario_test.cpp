@@ -81,15 +81,17 @@ TEST(Scenario, OfTheCornerHasItsTracksClassesGroundAndLight)
     EXPECT_EQ(read.light->sun.r, 0.78f);
     EXPECT_EQ(read.path->keys().size(), 3u);
     EXPECT_EQ(refusal_of(corner()), "read");
-    EXPECT_FALSE(read.characters[0].placement.wild_colours);
+    EXPECT_EQ(read.characters[0].placement.colours, CLQ_COLOURS_NEAR);
 }
 
-TEST(Scenario, WithWildColoursNamesNoFileOfThem)
+TEST(Scenario, WithWildOrOwnColoursNamesNoFileOfThem)
 {
-    const Scenario read =
-        read_scenario("colours = \"wild\"\n" + corner(), scenario_folder + "mine.toml", files_beside(scenario_folder));
-    for (const SocialClass &one : read.characters) EXPECT_TRUE(one.placement.wild_colours) << one.name;
-    EXPECT_EQ(read.colours, "");
+    for (const clq_colours colours : {CLQ_COLOURS_WILD, CLQ_COLOURS_OWN}) {
+        const std::string text = std::string("colours = \"") + name_of(colours) + "\"\n" + corner();
+        const Scenario read = read_scenario(text, scenario_folder + "mine.toml", files_beside(scenario_folder));
+        for (const SocialClass &one : read.characters) EXPECT_EQ(one.placement.colours, colours) << one.name;
+        EXPECT_EQ(read.colours, "");
+    }
 }
 
 TEST(Scenario, HasPeopleWhoSitOrPeopleWhoWalk)

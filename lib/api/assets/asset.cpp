@@ -34,7 +34,8 @@ asset::LoadOptions options_of(const clq_asset_options &options)
     out.strict = options.strict;
     api::require(api::number_of(options.blend) <= CLQ_BLEND_MASK, "blend is none of CLQ_BLEND_...");
     out.blend = static_cast<asset::Blend>(options.blend);
-    out.wild_colours = options.wild_colours;
+    api::require(api::number_of(options.colours) <= CLQ_COLOURS_OWN, "colours is none of CLQ_COLOURS_...");
+    out.colours = static_cast<asset::Colours>(options.colours);
     if (options.memory_limit_bytes) out.memory_limit_bytes = options.memory_limit_bytes;
     return out;
 }
@@ -59,7 +60,7 @@ clq_asset *finish(clq_context *context, Loaded &&loaded, const clq_asset_options
     const bool placed = api::place(loaded.model, loaded.own_turn_deg, options);
     clq_asset *asset = finish(context, std::move(loaded.model), of);
     asset->placed = placed;
-    asset->wild_colours = options.wild_colours;
+    asset->colours = static_cast<asset::Colours>(options.colours);
     return asset;
 }
 

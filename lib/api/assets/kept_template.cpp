@@ -67,7 +67,7 @@ void add_options(const clq_asset_options &options, asset::ContentHash &all)
     all.add(uint64_t(options.strict));
     for (const double value : {options.turn_deg, options.height_m, options.scale}) all.add(value);
     all.add(uint64_t(number_of(options.blend) == CLQ_BLEND_OPAQUE));
-    all.add(uint64_t(options.wild_colours));
+    all.add(uint64_t(number_of(options.colours)));
 }
 
 KeptTemplate kept_template(clq_context *context, bool installed, const std::string &folder,

@@ -81,7 +81,7 @@ clq_status clq_asset_set_zone_map(clq_context *context, clq_asset *asset, const 
             zones.push_back(std::move(zone));
         }
         asset::set_zone_map(asset->model, wanted.image, {wanted.width_px, wanted.height_px, wanted.texels}, zones,
-                            asset->wild_colours);
+                            asset->colours);
     });
 }
 

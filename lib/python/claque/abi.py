@@ -185,7 +185,7 @@ class AssetOptions(Sized):
     _fields_ = [("struct_bytes", c_uint32), ("base_folder", c_char_p), ("hidden_nodes", POINTER(c_char_p)),
                 ("hidden_node_count", c_uint32), ("memory_limit_bytes", c_uint64), ("bvh_metres_per_unit", c_double),
                 ("strict", c_bool), ("turn_deg", c_double), ("height_m", c_double), ("scale", c_double),
-                ("blend", c_int), ("wild_colours", c_bool)]
+                ("blend", c_int), ("colours", c_int)]
 
 
 class ZoneMapZone(Structure):

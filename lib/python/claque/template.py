@@ -11,6 +11,7 @@ from .memory import borrowed
 from .owner import Owned, made
 
 BLENDS = None, "opaque", "mask"  # by number of clq_blend
+COLOURS = "near", "wild", "own"  # of clq_colours
 
 
 class ZoneMap:
@@ -44,15 +45,17 @@ class Template(Owned):
 
     @classmethod
     def load(cls, context, path, levels=False, folder="", zone_maps=(), turn_deg=0, height_m=0, scale=0,
-             blend=None, wild_colours=False):
+             blend=None, colours="near"):
         """Reads a glTF or GLB file. `turn_deg`: turns it about y; `height_m` or `scale`: its size at rest, or a factor;
         `blend`: materials that blend are drawn where their alpha is 0.5 and more ("mask"; None: and a warning names
-        them), or all of them ("opaque") (clq_asset_options). `wild_colours`: individuals wear most hues, not colours
-        near the file's."""
+        them), or all of them ("opaque") (clq_asset_options). `colours`: individuals wear colours "near"
+        those of the file, most hues ("wild"), or the file's "own"."""
         if blend not in BLENDS:
             raise ValueError(f"blend is {blend!r}: None, 'opaque' or 'mask' is wanted")
+        if colours not in COLOURS:
+            raise ValueError(f"colours is {colours!r}: 'near', 'wild' or 'own' is wanted")
         options = abi.AssetOptions(turn_deg=turn_deg, height_m=height_m, scale=scale, blend=BLENDS.index(blend),
-                                   wild_colours=wild_colours)
+                                   colours=COLOURS.index(colours))
         return cls._prepare(context, levels, folder, zone_maps, path=str(path).encode(),
                             options=cast(byref(options), POINTER(abi.AssetOptions)))
 

@@ -46,15 +46,15 @@ Scenario read_scenario(const std::string &text, const std::string &where, const 
     Scenario scenario;
     scenario.name = all.text("name");
     if (scenario.name.empty()) all.refuse("has the name \"\"", "name");
-    const bool wild = all.has("colours") && all.text("colours") == "wild";
-    if (all.has("colours") && !wild) {
+    const clq_colours colours = all.has("colours") ? colours_of(all.text("colours")) : CLQ_COLOURS_NEAR;
+    if (all.has("colours") && colours == CLQ_COLOURS_NEAR) {
         scenario.colours = file_of(all, "colours", files);
         scenario.colours_at = all.place("colours");
     }
     for (const ScenarioSection &section : scenario_sections())
         if (all.has(section.key)) section.read(all, files, scenario);
     all.done();
-    for (SocialClass &one : scenario.characters) one.placement.wild_colours = wild;
+    for (SocialClass &one : scenario.characters) one.placement.colours = colours;
     expect_people(all, scenario);
     return scenario;
 }

@@ -73,7 +73,7 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
             throw Failure(one.character +
                           " is prepared already, with claque prepare, which takes --turn, --height, --scale, --blend, "
                           "--hide and --clips");
-        return library.load_prepared(one.character, one.placement.wild_colours);
+        return library.load_prepared(one.character, one.placement.colours);
     }
     clq_asset_options options = clq_asset_options_init();
     std::vector<const char *> hidden;

@@ -4,7 +4,7 @@
 
 #include "assets.h"
 #include "lib/asset/decoders.h"
-#include "own_colours.h"
+#include "near_colours.h"
 
 namespace claque::testing
 {
@@ -42,11 +42,11 @@ const std::vector<Humanoid> humanoids = {
     {"conformance-real/yuka-soldier.glb", {}, {}, {}},
 };
 
-class OwnColoursOfCollected : public ::testing::TestWithParam<Humanoid>
+class NearColoursOfCollected : public ::testing::TestWithParam<Humanoid>
 {
 };
 
-TEST_P(OwnColoursOfCollected, PeopleStayNearTheirFiles)
+TEST_P(NearColoursOfCollected, PeopleStayNearTheirFiles)
 {
     CLAQUE_NEEDS_ASSETS();
     const Humanoid &humanoid = GetParam();
@@ -82,7 +82,7 @@ TEST_P(OwnColoursOfCollected, PeopleStayNearTheirFiles)
 
 void PrintTo(const Humanoid &humanoid, std::ostream *out) { *out << humanoid.file; }
 
-INSTANTIATE_TEST_SUITE_P(Each, OwnColoursOfCollected, ::testing::ValuesIn(humanoids), [](const auto &info) {
+INSTANTIATE_TEST_SUITE_P(Each, NearColoursOfCollected, ::testing::ValuesIn(humanoids), [](const auto &info) {
     std::string name;
     for (const char c : info.param.file) name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
     return name;

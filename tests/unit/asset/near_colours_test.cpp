@@ -1,10 +1,10 @@
 // Characters without zone keys stay near the colours of their files, and people stay people, by the names, colours and
 // places that the usual makers give their parts.
-#include "own_colours.h"
+#include "near_colours.h"
 
 #include <gtest/gtest.h>
 
-#include "lib/asset/own_colours.h"
+#include "lib/asset/near_colours.h"
 #include "lib/asset/zone_map.h"
 #include "lib/asset/zone_ranges.h"
 #include "maker.h"
@@ -185,11 +185,11 @@ const std::vector<Made> &makers()
     return all;
 }
 
-class OwnColoursOf : public ::testing::TestWithParam<Made>
+class NearColoursOf : public ::testing::TestWithParam<Made>
 {
 };
 
-TEST_P(OwnColoursOf, AMakerStayNearTheFileAndPeopleStayPeople)
+TEST_P(NearColoursOf, AMakerStayNearTheFileAndPeopleStayPeople)
 {
     const Made &maker = GetParam();
     const model::Model model = model_of(maker.paints, maker.pieces);
@@ -219,10 +219,10 @@ TEST_P(OwnColoursOf, AMakerStayNearTheFileAndPeopleStayPeople)
 
 void PrintTo(const Made &made, std::ostream *out) { *out << made.name; }
 
-INSTANTIATE_TEST_SUITE_P(Each, OwnColoursOf, ::testing::ValuesIn(makers()),
+INSTANTIATE_TEST_SUITE_P(Each, NearColoursOf, ::testing::ValuesIn(makers()),
                          [](const auto &info) { return info.param.name; });
 
-TEST(OwnColours, StayWhereTwoSkinsHaveTwoColours)
+TEST(NearColours, StayWhereTwoSkinsHaveTwoColours)
 {
     const model::Model model =
         model_of({{"Skin", {0.62, 0.42, 0.24}}, {"Skin_Dark", {0.3, 0.17, 0.1}}}, {{"head", 0}, {"hand", 1}});
@@ -231,7 +231,7 @@ TEST(OwnColours, StayWhereTwoSkinsHaveTwoColours)
             EXPECT_LT(apart(drawn(model, zone, i), own_colour(model, zone)), 0.002) << zone << " " << i;
 }
 
-TEST(OwnColours, OfSkinAndHairThatAreNoHumansStayNearThem)
+TEST(NearColours, OfSkinAndHairThatAreNoHumansStayNearThem)
 {
     const model::Model model =
         model_of({{"Skin", {0.02, 0.02, 0.02}}, {"Hair", {0.25, 0.06, 0.14}}}, {{"head", 0}, {"hand", 0}, {"head", 1}});
@@ -240,17 +240,17 @@ TEST(OwnColours, OfSkinAndHairThatAreNoHumansStayNearThem)
             EXPECT_LT(apart(drawn(model, zone, i), own_colour(model, zone)), 0.15) << zone << " " << i;
 }
 
-TEST(OwnColours, OfClothLikeSkinAreThoseOfCloth)
+TEST(NearColours, OfClothLikeSkinAreThoseOfCloth)
 {
     model::Model model = model_of({{"Material", {0.7, 0.4, 0.26}}, {"Material.001", {0.68, 0.4, 0.25}}},
                                   {{"hand", 0}, {"hips", 1}, {"head", 0}});
     EXPECT_NE(zone_of(model, "Material"), zone_of(model, "Material.001"));
 }
 
-TEST(OwnColours, GiveWayToWildOnesWhereThoseAreAskedFor)
+TEST(NearColours, GiveWayToWildOnesWhereThoseAreAskedFor)
 {
     asset::LoadOptions options;
-    options.wild_colours = true;
+    options.colours = asset::Colours::wild;
     const Made &maker = makers()[0];
     const model::Model model = model_of(maker.paints, maker.pieces, options);
     ASSERT_EQ(model.zones.size(), maker.paints.size()) << "each material has its zone";
@@ -263,27 +263,40 @@ TEST(OwnColours, GiveWayToWildOnesWhereThoseAreAskedFor)
     }
 }
 
+TEST(NearColours, GiveWayToTheFilesOwnWhereThoseAreAskedFor)
+{
+    asset::LoadOptions options;
+    options.colours = asset::Colours::own;
+    for (const Made &maker : makers()) {
+        const model::Model model = model_of(maker.paints, maker.pieces, options);
+        for (uint32_t zone = 0; zone < model.zones.size(); ++zone)
+            for (uint64_t i = 0; i < individuals; ++i)
+                EXPECT_LT(apart(drawn(model, zone, i), own_colour(model, zone)), 0.002) << zone << " " << i;
+    }
+}
+
 // The skin of an atlas is known by its colour on the hands, and the rest stays near its own.
-TEST(OwnColours, OfZonesThatAMapGivesAnAtlasFollowItsTexels)
+TEST(NearColours, OfZonesThatAMapGivesAnAtlasFollowItsTexels)
 {
     const std::vector<uint16_t> halves = {0, 1};
     const std::vector<asset::ZoneMapZone> zones = {{"zone 1", true, nullptr}, {"zone 2", true, nullptr}};
-    for (const bool wild : {false, true}) {
+    for (const asset::Colours colours : {asset::Colours::near, asset::Colours::wild, asset::Colours::own}) {
         model::Model model = model_of({{"mage_texture", {1, 1, 1}, {tan, blue}}},
                                       {{"head", 0}, {"hand", 0}, {"hips", 0, true}, {"hips", 0, true}});
-        asset::set_zone_map(model, 0, {2, 1, halves.data()}, zones, wild);
+        asset::set_zone_map(model, 0, {2, 1, halves.data()}, zones, colours);
         ASSERT_EQ(model.zones.size(), 2u);
         double skin = 0, cloth = 0;
         for (uint64_t i = 0; i < individuals; ++i) {
             skin = std::max(skin, apart(drawn(model, 0, i), own_colour(model, 0)));
             cloth = std::max(cloth, apart(drawn(model, 1, i), own_colour(model, 1)));
         }
-        EXPECT_EQ(skin < 0.2, !wild) << skin;
-        EXPECT_EQ(cloth < 0.3, !wild) << cloth;
+        EXPECT_EQ(skin < 0.2, colours != asset::Colours::wild) << skin;
+        EXPECT_EQ(cloth < 0.3, colours != asset::Colours::wild) << cloth;
+        EXPECT_EQ(skin + cloth < 0.004, colours == asset::Colours::own) << skin << " " << cloth;
     }
 }
 
-TEST(OwnColours, LeaveTheRangesThatAHostGives)
+TEST(NearColours, LeaveTheRangesThatAHostGives)
 {
     const model::HsbRange green = {100, 140, 0.5f, 1, 0.5f, 1};
     const std::vector<uint16_t> halves = {0, 1};

@@ -1,4 +1,4 @@
-#include "lib/asset/own_colours.h"
+#include "lib/asset/near_colours.h"
 
 #include <algorithm>
 
@@ -97,7 +97,7 @@ HsbRange tint_of(Role role, const Hsb &c, bool is_human)
     return scaled;
 }
 
-HsbRange own_range(Role role, const model::Zone &zone, const ZoneLook &look)
+HsbRange near_range(Role role, const model::Zone &zone, const ZoneLook &look)
 {
     const Hsb c = hsb_of(zone.colour);
     const std::array<float, 3> mean = look.mean();
@@ -165,8 +165,14 @@ std::vector<bool> material_zones(const model::Model &model)
     return out;
 }
 
-void keep_own_colours(model::Model &model, std::vector<bool> open)
+void give_ranges(model::Model &model, std::vector<bool> open, Colours colours)
 {
+    if (colours == Colours::wild) return;
+    if (colours == Colours::own) {
+        for (size_t z = 0; z < open.size(); ++z)
+            if (open[z]) model.zones[z].range = around(hsb_of(model.zones[z].colour), 0, 0, 0);
+        return;
+    }
     if (std::find(open.begin(), open.end(), true) == open.end()) return;
     const std::vector<ZoneLook> apart = looks_of(model);
     std::vector<Role> roles = roles_of(model, apart);
@@ -180,7 +186,7 @@ void keep_own_colours(model::Model &model, std::vector<bool> open)
     if (skins.size() > 1)
         for (const size_t z : skins) roles[z] = Role::kept;
     for (size_t z = 0; z < roles.size(); ++z)
-        if (open[z]) model.zones[z].range = own_range(roles[z], model.zones[z], looks[z]);
+        if (open[z]) model.zones[z].range = near_range(roles[z], model.zones[z], looks[z]);
 }
 
 }  // namespace claque::asset
