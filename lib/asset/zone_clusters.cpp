@@ -21,6 +21,7 @@ constexpr uint32_t bins = 32;              // per channel
 constexpr double light_share = 0.5;        // weight of a difference in lightness relative to one in colour
 constexpr double least_difference = 0.04;  // between two zones
 constexpr uint64_t least_share = 200;      // a zone has at least one of this many texels
+constexpr uint64_t least_spot = 4000;      // or of this many, if a quarter of them has its own kind all round
 constexpr int max_rounds = 64, calming_rounds = 3;
 
 using Point = std::array<double, 3>;
@@ -137,8 +138,25 @@ void calm(ZoneProposal &out)
     }
 }
 
-// Orders zones by texels, most first. Zones of few texels are mostly soft edges between two others; they are merged
-// into the nearest zone.
+// How many texels of each zone have it all round: those of eyes and badges, not of soft edges between two zones.
+std::vector<uint64_t> cores_of(const ZoneProposal &map)
+{
+    std::vector<uint64_t> cores(max_proposed);
+    const size_t w = map.width;
+    for (size_t y = 1; y + 1 < map.height; ++y)
+        for (size_t x = 1; x + 1 < w; ++x) {
+            const size_t at = y * w + x;
+            const uint16_t zone = map.zones[at];
+            bool is_core = zone != unknown_zone;
+            for (const size_t row : {at - w, at, at + w})
+                for (const size_t one : {row - 1, row, row + 1}) is_core = is_core && map.zones[one] == zone;
+            if (is_core) ++cores[zone];
+        }
+    return cores;
+}
+
+// Orders zones by texels, most first. Zones of few texels that are soft edges between two others are merged into the
+// nearest zone.
 void order(const model::Image &image, ZoneProposal &out)
 {
     struct Sum {
@@ -157,9 +175,11 @@ void order(const model::Image &image, ZoneProposal &out)
     std::stable_sort(sums.begin(), sums.end(), [](const Sum &a, const Sum &b) { return a.texels > b.texels; });
     uint64_t all = 0;
     for (const Sum &sum : sums) all += sum.texels;
+    const std::vector<uint64_t> cores = cores_of(out);
     std::vector<uint16_t> to(max_proposed, unknown_zone);
     for (const Sum &sum : sums) {
-        if (sum.texels * least_share < all || sum.texels == 0) continue;
+        const bool is_spot = 4 * cores[sum.zone] >= sum.texels && sum.texels * least_spot >= all;
+        if ((sum.texels * least_share < all && !is_spot) || sum.texels == 0) continue;
         to[sum.zone] = static_cast<uint16_t>(out.means.size());
         std::array<uint8_t, 3> mean;
         for (size_t k = 0; k < 3; ++k) mean[k] = static_cast<uint8_t>((sum.rgb[k] + sum.texels / 2) / sum.texels);

@@ -93,6 +93,18 @@ TEST(ZoneMap, BecomesKeysInTheImagesAlphaAndZonesOfTheModel)
     model::check(model);
 }
 
+TEST(ZoneMap, LeavesTheRangesThatAHostGives)
+{
+    const model::HsbRange green = {100, 140, 0.5f, 1, 0.5f, 1};
+    std::vector<ZoneMapZone> zones = zones_of({"cloth", "leather"}, true);
+    zones[0].range = &green;
+    model::Model model = cloth_and_leather();
+    asset::set_zone_map(model, 0, upper_and_lower, zones);
+    EXPECT_EQ(model.zones[0].range.hue_min_deg, 100);
+    EXPECT_EQ(model.zones[0].range.brightness_max, 1);
+    EXPECT_NE(model.zones[1].range.hue_min_deg, 100);
+}
+
 TEST(ZoneMap, LeavesTheColoursOfZonesThatAreNotReducedAsTheyAre)
 {
     model::Model model = cloth_and_leather();
@@ -224,6 +236,26 @@ TEST(ZoneProposal, LeavesOutTexelsThatNoTriangleShowsAndCalmsLoneOnes)
     EXPECT_EQ(proposal.zones[8 * 2 + 6], unknown_zone);
     EXPECT_NE(proposal.zones[8 * 2 + 1], unknown_zone);
     EXPECT_EQ(proposal.zones[8 * 6 + 1], proposal.zones[8 * 6 + 2]) << "one blue texel in the leather";
+}
+
+TEST(ZoneProposal, KeepsSmallSpotsAndMergesThinEdges)
+{
+    model::Model model = cloth_and_leather();
+    constexpr size_t side = 96;
+    model::Image &image = model.images[0];
+    image.width = image.height = side;
+    image.rgba.assign(4 * side * side, 255);
+    const auto paint = [&](size_t x0, size_t y0, size_t w, size_t h, std::array<uint8_t, 3> rgb) {
+        for (size_t y = y0; y < y0 + h; ++y)
+            for (size_t x = x0; x < x0 + w; ++x) std::copy(rgb.begin(), rgb.end(), &image.rgba[4 * (side * y + x)]);
+    };
+    paint(0, 0, side, side, {150, 90, 50});
+    paint(20, 60, 6, 6, {40, 110, 230});  // an eye: 0.4 % of the picture
+    paint(50, 30, 40, 1, {60, 200, 60});  // as many texels in a line
+    const asset::ZoneProposal proposal = asset::propose_zones(model, 0, 8);
+    EXPECT_EQ(proposal.means.size(), 2u);
+    EXPECT_NE(proposal.zones[side * 63 + 23], proposal.zones[side * 10 + 10]);
+    EXPECT_EQ(proposal.means[proposal.zones[side * 63 + 23]], (std::array<uint8_t, 3>{40, 110, 230}));
 }
 
 TEST(ZoneProposal, IsRefusedForWhatThereIsNot)
