@@ -304,7 +304,7 @@ CLQ_API void clq_template_destroy(clq_template *tmpl);
 CLQ_API clq_status clq_template_save(const clq_template *tmpl, clq_write_function write, void *user);
 
 /* Loads a prepared template. The bytes may be anything: a file that is cut off, changed or of another version fails
- * with FORMAT.
+ * with FORMAT. The log gets the warnings of clq_template_build again.
  *   bytes   [size_bytes], not kept
  *   out     owned by the host until clq_template_destroy
  * Fails: ARGUMENT (NULL), FORMAT, OUT_OF_MEMORY. Threads: any. GL: none. */

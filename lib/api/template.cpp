@@ -42,6 +42,21 @@ uint32_t max_influences(const model::Level &level)
 
 }  // namespace
 
+void claque::api::log_report(clq_context *context, const model::Template &t)
+{
+    if (t.report.coincident)
+        context->log.warn(
+            base::text_of("template '%s': %u of %u triangles lie on another with the same corners; which of "
+                          "them is seen depends on the order of drawing",
+                          t.name.c_str(), t.report.coincident, t.report.triangles)
+                .c_str());
+    if (t.report.parts > model::max_level_parts)
+        context->log.info(base::text_of("template '%s': a level has %u parts, and %u can be culled by themselves: "
+                                        "neighbours are culled as one",
+                                        t.name.c_str(), t.report.parts, model::max_level_parts)
+                              .c_str());
+}
+
 extern "C" {
 
 void clq_template_destroy(clq_template *tmpl)
@@ -68,6 +83,7 @@ clq_status clq_template_load(clq_context *context, const void *bytes, size_t siz
         api::require(context && bytes && out, "context, bytes or out is NULL");
         api::Making<clq_template> made(context, context);
         model::load(static_cast<const uint8_t *>(bytes), size_bytes, *made);
+        api::log_report(context, *made);
         *out = made.release();
     });
 }

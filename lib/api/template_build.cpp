@@ -28,21 +28,6 @@ meshsplit::MotionTolerance tolerance_of(const clq_template_def &def)
     return out;
 }
 
-void log_report(clq_context *context, const model::Template &t)
-{
-    if (t.report.coincident)
-        context->log.warn(
-            base::text_of("template '%s': %u of %u triangles lie on another with the same corners; which of "
-                          "them is seen depends on the order of drawing",
-                          t.name.c_str(), t.report.coincident, t.report.triangles)
-                .c_str());
-    if (t.report.parts > model::max_level_parts)
-        context->log.info(base::text_of("template '%s': a level has %u parts, and %u can be culled by themselves: "
-                                        "neighbours are culled as one",
-                                        t.name.c_str(), t.report.parts, model::max_level_parts)
-                              .c_str());
-}
-
 clq_template *split(clq_context *context, const model::Model &model, uint32_t max_texture_px,
                     const meshsplit::MotionTolerance &motion)
 {
@@ -52,7 +37,7 @@ clq_template *split(clq_context *context, const model::Model &model, uint32_t ma
     options.jobs = context->jobs;
     api::Making<clq_template> made(context, context);
     meshsplit::build(model, options, *made);
-    log_report(context, *made);
+    api::log_report(context, *made);
     return made.release();
 }
 

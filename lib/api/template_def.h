@@ -4,13 +4,16 @@
 
 #include <claque/template.h>
 
-#include "lib/model/model.h"
+#include "lib/model/template.h"
 
 namespace claque::api
 {
 
 // Throws base::Error (CLQ_ARGUMENT) naming the first broken rule.
 model::Model model_of(const clq_template_def &def);
+
+// What a host should know of a template that was built, or read: it is said of prepared files too.
+void log_report(clq_context *context, const model::Template &made);
 
 model::HsbRange range_of(const clq_hsb_range &range);
 clq_hsb_range range_of(const model::HsbRange &range);
