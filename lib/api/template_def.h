@@ -12,7 +12,7 @@ namespace claque::api
 // Throws base::Error (CLQ_ARGUMENT) naming the first broken rule.
 model::Model model_of(const clq_template_def &def);
 
-// What a host should know of a template that was built, or read: it is said of prepared files too.
+// Logs the facts of a split that its host should know, when the template is built and when it is read.
 void log_report(clq_context *context, const model::Template &made);
 
 model::HsbRange range_of(const clq_hsb_range &range);

@@ -5,8 +5,8 @@
 #include "lib/asset/decoders.h"
 #include "lib/asset/gltf_image.h"
 #include "lib/asset/gltf_material.h"
+#include "lib/asset/near_colours.h"
 #include "lib/asset/zone_ranges.h"
-#include "lib/math/hsb.h"
 
 namespace claque::asset
 {
@@ -16,16 +16,6 @@ using model::Material;
 
 namespace
 {
-
-// Leaves the zone its colour alone as a range.
-void keep_colour(model::Zone &zone)
-{
-    const double rgb[3] = {double(zone.colour[0]), double(zone.colour[1]), double(zone.colour[2])};
-    double hsb[3];
-    math::rgb_to_hsb(rgb, hsb);
-    const float hue = static_cast<float>(hsb[0]), saturation = static_cast<float>(hsb[1]);
-    zone.range = {hue, hue, saturation, saturation, static_cast<float>(hsb[2]), static_cast<float>(hsb[2])};
-}
 
 std::string list_of(const std::vector<std::string> &names)
 {

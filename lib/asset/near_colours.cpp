@@ -165,12 +165,14 @@ std::vector<bool> material_zones(const model::Model &model)
     return out;
 }
 
+void keep_colour(model::Zone &zone) { zone.range = around(hsb_of(zone.colour), 0, 0, 0); }
+
 void give_ranges(model::Model &model, std::vector<bool> open, Colours colours)
 {
     if (colours == Colours::wild) return;
     if (colours == Colours::own) {
         for (size_t z = 0; z < open.size(); ++z)
-            if (open[z]) model.zones[z].range = around(hsb_of(model.zones[z].colour), 0, 0, 0);
+            if (open[z]) keep_colour(model.zones[z]);
         return;
     }
     if (std::find(open.begin(), open.end(), true) == open.end()) return;

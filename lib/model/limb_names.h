@@ -1,5 +1,5 @@
-// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, KayKit, Quaternius, Daz, Poser and
-// claque's own.
+// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, KayKit, Quaternius, Daz, Poser, Maya
+// and claque's own.
 #pragma once
 
 #include <vector>

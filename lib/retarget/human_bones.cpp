@@ -67,8 +67,7 @@ std::string limb_of(std::string_view p)
 bool is_middle(std::string_view p) { return !has_any(p, {"end", "nub", "top", "ik", "control", "ctrl", "twist"}); }
 
 // Skeletons of Maya users: a hip, a knee and a shoulder move thigh, shin and upper arm.
-void add_legs_and_arms_by_joints(const model::Rig &rig, const std::vector<std::string> &names, uint32_t node,
-                                 Body &body)
+void add_limb_by_joint_name(const model::Rig &rig, const std::vector<std::string> &names, uint32_t node, Body &body)
 {
     const std::string &p = names[node], side = side_of(rig.node_names[node], p);
     if (side.empty() || model::is_control(p)) return;
@@ -93,7 +92,7 @@ void add_limbs(const model::Rig &rig, Body &body)
             if (!limb.empty()) body.bones.emplace(side + limb, i);
         }
         for (uint32_t i = 0; i < rig.node_count(); ++i)
-            if (ranks[i] == rank) add_legs_and_arms_by_joints(rig, names, i, body);
+            if (ranks[i] == rank) add_limb_by_joint_name(rig, names, i, body);
     }
 }
 

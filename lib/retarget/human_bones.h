@@ -1,5 +1,5 @@
 // Binds skeletons of people whose names differ: by the bones that VRM files list, else by the usual names of Mixamo,
-// CMU, LAFAN1, Bandai-Namco, Unreal, VRM, KayKit, Daz, Poser and claque's own people. Internal to lib/retarget.
+// CMU, LAFAN1, Bandai-Namco, Unreal, VRM, KayKit, Daz, Poser, Maya and claque's own people. Internal to lib/retarget.
 #pragma once
 
 #include "lib/retarget/joints.h"

@@ -72,7 +72,6 @@ public:
         line_up(static_cast<int>(crowd_options.count));
         measure_clips(posed, crowd_options.count);
         for (uint32_t i = 0; i < crowd_options.count; ++i) enter(i, crowd_options.count);
-        place(0);
         lay_ground();
     }
 
@@ -148,7 +147,7 @@ private:
         const uint32_t poses = std::clamp(400 / std::max(1u, shown), 3u, 33u);
         for (uint32_t i = 0; i < std::max(1u, shown); ++i) {
             const bool moves = i < shown;
-            posed.pose(CLQ_NONE, 0);
+            if (!moves) posed.pose(CLQ_NONE, 0);
             std::vector<PoseBox> boxes = moves ? posed.boxes_of_clip(clip_of(i), poses) : std::vector{posed.box()};
             clip_boxes_.push_back(PoseBox::none());
             for (PoseBox &box : boxes) {
@@ -228,7 +227,7 @@ private:
         return {rx, rz};
     }
 
-    // Of one whose clip leads it away from its place.
+    // The rim follows a person whom a clip leads away.
     void lay_rim(uint32_t person, double time_s)
     {
         clq_active_clip active[CLQ_ACTIVE_CLIP_MAX];

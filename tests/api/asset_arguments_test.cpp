@@ -52,6 +52,16 @@ private:
     clq_asset *source_ = nullptr;
 };
 
+TEST_F(AssetArguments, ChoicesThatDoNotExistAreRefused)
+{
+    clq_asset_options options = clq_asset_options_init();
+    options.blend = static_cast<clq_blend>(CLQ_BLEND_MASK + 1);
+    expect_refused(clq_asset_load(context_, "a", 1, &options, &made_), "blend is none of CLQ_BLEND_...");
+    options = clq_asset_options_init();
+    options.colours = static_cast<clq_colours>(CLQ_COLOURS_OWN + 1);
+    expect_refused(clq_asset_load(context_, "a", 1, &options, &made_), "colours is none of CLQ_COLOURS_...");
+}
+
 TEST_F(AssetArguments, NullPointersAreRefusedByEveryCallThatMakesSomething)
 {
     const std::string load = "clq_asset_load: context, bytes or out is NULL";

@@ -47,6 +47,13 @@ def test_what_blends_is_a_mask_or_opaque(context, file):
         claque.Template.load(context, file, blend="add")
 
 
+def test_colours_are_near_wild_or_the_files_own(context, file):
+    for chosen in ("near", "wild", "own"):
+        claque.Template.load(context, file, colours=chosen).close()
+    with pytest.raises(ValueError, match="colours is 'red': 'near', 'wild' or 'own' is wanted"):
+        claque.Template.load(context, file, colours="red")
+
+
 def test_a_warning_can_be_an_error(context, file):
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -73,7 +73,8 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
         const Corners &corners = surface_.mesh.property(surface_.corners, face);
         VisibilityQuery query;
         for (size_t k = 0; k < 3; ++k) query.corners[k] = point(surface_.mesh, Mesh::VertexHandle(corners.at[k]));
-        query.two_sided = is_two_sided(model_, surface_.part(surface_.part_of(corners.corner[0])));
+        const model::Part &part = surface_.part(surface_.part_of(corners.corner[0]));
+        query.two_sided = is_two_sided(model_, part), query.has_holes = has_holes(model_, part);
         queries.push_back(query);
         faces.push_back(static_cast<size_t>(face.idx()));
         zones_[faces.back()] = zone_of(face, glm::vec3(1 / 3.0f));

@@ -144,7 +144,7 @@ TEST(HumanBones, BindTheHipsToTheJointAboveBothLegs)
     EXPECT_EQ(bound.size(), 15u);
 }
 
-// A mesh may hang under its limb's name beside the skeleton, and so may the skeleton of the person who animated it.
+// Meshes and control rigs beside the skeleton may have the names of its joints.
 TEST(HumanBones, AreJointsOfSkinsBeforeOtherNodesOfTheirNames)
 {
     std::vector<Bone> bones = person(1, 0);

@@ -76,6 +76,23 @@ TEST(AreaFractions, AreThoseOfTexelsByArea)
     }
 }
 
+TEST(AreaFractions, LeaveOutHoles)
+{
+    model::Model model = square(0);
+    model.images.emplace_back();
+    model.images.back().width = 4, model.images.back().height = 1;
+    for (const int alpha : {255, 0, 0, 0})
+        for (const int one : {9, 9, 9, alpha}) model.images.back().rgba.push_back(static_cast<uint8_t>(one));
+    model.materials.emplace_back();
+    model.materials.back().image = static_cast<uint32_t>(model.images.size() - 1);
+    model.materials.back().zone = 1, model.materials.back().alpha_mode = model::AlphaMode::mask;
+    model::Part sheet = model.parts[0];
+    sheet.material = static_cast<uint32_t>(model.materials.size() - 1);
+    for (glm::vec3 &p : sheet.positions) p.z += 1;
+    const std::vector<double> fractions = lod::zone_area_fractions(model, {&model.parts[0], &sheet});
+    EXPECT_NEAR(fractions[1], 0.2, 0.02) << "a quarter of one of two squares is there";
+}
+
 // By area, per level, within 2 points of the surface, for every zone; and those of a hundredth do not vanish.
 TEST_P(ZoneAreasOf, StayWithinTwoPointsForEveryZoneAtEveryLevel)
 {

@@ -94,6 +94,17 @@ TEST(Visibility, IsZeroForABoxInsideABoxAndNotForOneBesideIt)
         }
 }
 
+TEST(Visibility, OfWhatLiesBehindHolesIsThatOfOpenSurface)
+{
+    std::vector<lod::VisibilityQuery> alone, behind;
+    add_box({0, 0, 0}, 1, alone), add_box({0, 0, 0}, 1, behind);
+    add_box({0, 0, 0}, 2, behind);
+    for (size_t t = 12; t < 24; ++t) behind[t].has_holes = true;
+    const std::vector<double> open = lod::visibility_of(alone), seen = lod::visibility_of(behind);
+    for (size_t t = 0; t < 12; ++t) EXPECT_EQ(seen[t], open[t]) << t;
+    for (size_t t = 12; t < 24; ++t) EXPECT_GT(seen[t], 0.25) << t;
+}
+
 TEST(Visibility, IncludesTheBackOfADoubleSidedSheetOnly)
 {
     lod::VisibilityQuery sheet{{glm::dvec3(0, 0, 0), glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0)}, false};
