@@ -18,6 +18,8 @@ constexpr double steep = 0.01;
 // Rays are cast again when so much of the triangles is left: what is seen of the others hardly changes.
 constexpr double recast = 0.9;
 
+constexpr size_t hole = size_t(-1);  // in place of a zone
+
 // Of all faces together. A face that shows two zones counts for the zone of its centre where it has one sample only;
 // with this many, levels of some hundred triangles keep their zones.
 constexpr size_t samples = 16384;
@@ -61,7 +63,7 @@ size_t ZoneAreaCost::zone_of(Mesh::FaceHandle face, glm::vec3 at) const
     glm::vec2 uv(0);
     for (int k = 0; k < 3; ++k) uv += surface_.uv(corners.corner[size_t(k)]) * at[k];
     const model::Part &part = surface_.part(surface_.part_of(corners.corner[0]));
-    return std::min<size_t>(zone_at(model_, part, uv), model_.zones.size());
+    return is_hole(model_, part, uv) ? hole : std::min<size_t>(zone_at(model_, part, uv), model_.zones.size());
 }
 
 double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
@@ -91,8 +93,13 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
         const auto &c = queries[i].corners;
         const double area = visibility_[faces[i]] * TriangleFrame(c[0], c[1], c[2]).area;
         const Mesh::FaceHandle face(static_cast<int>(faces[i]));
-        for (const glm::vec3 &at : points) area_fractions[zone_of(face, at)] += area / double(points.size());
-        all += area;
+        size_t shown = 0;
+        for (const glm::vec3 &at : points) {
+            const size_t zone = zone_of(face, at);
+            if (zone == hole) continue;
+            ++shown, area_fractions[zone] += area / double(points.size());
+        }
+        all += shown == points.size() ? area : area * double(shown) / double(points.size());
     }
     for (double &share : area_fractions) share = all > 0 ? share / all : 0;
     return all;
@@ -101,7 +108,7 @@ double ZoneAreaCost::measure_zones(std::vector<double> &area_fractions)
 void ZoneAreaCost::change(Mesh::FaceHandle face, double area)
 {
     const size_t i = static_cast<size_t>(face.idx());
-    changes_.emplace_back(zones_[i], visibility_[i] * area);
+    if (zones_[i] != hole) changes_.emplace_back(zones_[i], visibility_[i] * area);
 }
 
 double ZoneAreaCost::slope(size_t zone) const

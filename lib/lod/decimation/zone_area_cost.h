@@ -25,7 +25,7 @@ public:
     double cost();
 
 private:
-    size_t zone_of(Mesh::FaceHandle face, glm::vec3 at) const;  // barycentric
+    size_t zone_of(Mesh::FaceHandle face, glm::vec3 at) const;  // barycentric; `hole` where nothing is seen
     double slope(size_t zone) const;                            // derivative of the cost by a zone's fraction
     double measure_zones(std::vector<double> &area_fractions);  // returns the total area
 

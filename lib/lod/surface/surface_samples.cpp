@@ -154,13 +154,17 @@ bool has_holes(const model::Model &model, const model::Part &part)
            model.images[material.image].alpha != model::AlphaMeaning::zone_keys;
 }
 
+bool is_hole(const model::Model &model, const model::Part &part, glm::dvec2 uv, const model::TextureSet *set)
+{
+    if (!has_holes(model, part)) return false;
+    const uint8_t *found = texel_of(model, part, uv, set);
+    return found && float(found[3]) < 255 * model.materials[part.material].alpha_cutoff;
+}
+
 bool is_hole(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
              const model::TextureSet *set)
 {
-    const model::Part &part = parts.part(parts.triangles()[point.triangle].part);
-    if (!has_holes(model, part)) return false;
-    const uint8_t *found = texel_of(model, part, uv_at(parts, point), set);
-    return found && float(found[3]) < 255 * model.materials[part.material].alpha_cutoff;
+    return is_hole(model, parts.part(parts.triangles()[point.triangle].part), uv_at(parts, point), set);
 }
 
 glm::dvec3 texel_at(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,

@@ -83,6 +83,8 @@ uint32_t zone_at(const model::Model &model, const model::Part &part, glm::vec2 u
 
 // Whether the part's material cuts holes by alpha, and whether a point is in one: other surface is seen through it.
 bool has_holes(const model::Model &model, const model::Part &part);
+bool is_hole(const model::Model &model, const model::Part &part, glm::dvec2 uv,
+             const model::TextureSet *set = nullptr);
 bool is_hole(const model::Model &model, const PosedParts &parts, const SurfacePoint &point,
              const model::TextureSet *set = nullptr);
 

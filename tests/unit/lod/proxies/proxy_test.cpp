@@ -58,6 +58,68 @@ model::Model two_balls()
     return model;
 }
 
+// Two balls of two zones in rings, under sheets that are cut out wholly. The colour, the zone and the light of these
+// sheets, which nobody sees, are `hidden`'s.
+struct Hidden {
+    uint8_t grey;
+    uint32_t zone;
+    float emission;
+};
+
+model::Model under_cut_sheets(const Hidden &hidden)
+{
+    model::Model model = two_balls();
+    for (const uint8_t key : {uint8_t(10), uint8_t(20), uint8_t(30)})
+        model.zones.push_back({"zone " + std::to_string(key), key, {1, 1, 1}, {}});
+    model::Image &rings = model.images[0];
+    rings.width = 1, rings.height = 16, rings.alpha = model::AlphaMeaning::zone_keys, rings.rgba.clear();
+    for (int row = 0; row < 16; ++row)
+        for (const int one : {200 - 9 * row, 80, 9 * row, row % 5 < 2 ? 10 : 20})
+            rings.rgba.push_back(static_cast<uint8_t>(one));
+    for (model::Part &part : model.parts)
+        for (size_t v = 0; v < part.uvs.size(); ++v)
+            part.uvs[v] = {0.5f, std::acos(std::clamp(part.normals[v].y, -1.0f, 1.0f)) / 3.1415927f};
+    model::Image image;
+    image.width = image.height = 1;
+    image.rgba = {hidden.grey, hidden.grey, hidden.grey, 0};
+    model.images.push_back(image);
+    model::Material cut;
+    cut.image = 1, cut.alpha_mode = model::AlphaMode::mask, cut.zone = hidden.zone;
+    cut.lighting.emission = {hidden.emission, 0, 0};
+    model.materials.push_back(cut);
+    for (const uint32_t zone : {1u, 2u}) {  // zones that are whole pictures, in each model
+        model.materials.push_back(cut);
+        model.materials.back().zone = zone;
+    }
+    for (size_t ball = 0; ball < 2; ++ball) {
+        model::Part sheet = model.parts[ball];
+        sheet.material = 1;
+        for (glm::vec3 &p : sheet.positions) p *= 1.02f;
+        model.parts.push_back(sheet);
+    }
+    return model;
+}
+
+// All that the levels show, and what the reports say of it.
+std::vector<double> values_of_levels(model::Model model)
+{
+    lod::ChainOptions options;
+    options.targets = {1500, 400, 200, 120, 60, 30};
+    std::vector<double> values;
+    for (const lod::LevelReport &level : lod::make_chain(model, options))
+        values.insert(values.end(), {double(level.triangles), level.distance_m, level.deviation.wrong_zone,
+                                     level.zone_area_error, level.zone_view_error, level.deviation.look.colours[0]});
+    for (const model::Part &part : model.parts) {
+        for (const glm::vec3 &p : part.positions) values.insert(values.end(), {p.x, p.y, p.z});
+        for (const glm::vec2 &uv : part.uvs) values.insert(values.end(), {uv.x, uv.y});
+        if (part.material <= 3) continue;
+        const model::Material &material = model.materials[part.material];
+        values.push_back(material.lighting.emission[0]);
+        for (const uint8_t byte : model.images[material.image].rgba) values.push_back(byte);
+    }
+    return values;
+}
+
 }  // namespace
 
 TEST(Proxy, StandsForRigidPartsOnSeveralNodesAndFollowsThem)
@@ -145,6 +207,19 @@ TEST(Proxy, ShowsTheSurfaceBehindHoles)
     }
     EXPECT_GT(seen, 60u);
     EXPECT_GT(green, 10u);
+}
+
+TEST(Proxy, IsTheSameWhateverIsCutOut)
+{
+    const std::vector<double> expected = values_of_levels(under_cut_sheets({0, 2, 0}));
+    ASSERT_GT(expected.size(), 5000u);
+    for (const Hidden &other : {Hidden{255, 2, 0}, Hidden{0, 1, 0}, Hidden{0, 2, 1}, Hidden{0, 1, 1}}) {
+        const std::vector<double> found = values_of_levels(under_cut_sheets(other));
+        ASSERT_EQ(found.size(), expected.size()) << int(other.grey) << ' ' << other.zone << ' ' << other.emission;
+        size_t differ = 0;
+        for (size_t i = 0; i < found.size(); ++i) differ += found[i] != expected[i];
+        EXPECT_EQ(differ, 0u) << int(other.grey) << ' ' << other.zone << ' ' << other.emission;
+    }
 }
 
 TEST(Proxy, IsNotMadeForRigidPartsThatMoveAsOne)

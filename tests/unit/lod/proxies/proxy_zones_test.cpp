@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "lib/base/hash.h"
+#include "lib/lod/proxies/zone_cost.h"
+#include "lib/lod/proxies/zone_points.h"
 
 using namespace claque;
 
@@ -132,5 +134,30 @@ TEST(ProxyZones, ShowNoZoneThatTheSourceLacks)
         goals.views.triangles = {one.areas, one.areas};
         for (const uint32_t zone : lod::assign_zones(one.model, one.level, one.level, one.zone_areas, goals, weights))
             EXPECT_LT(zone, 2u) << seed;
+    }
+}
+
+// Zone 1 is on a second body alone, whose surface is cut out; nothing shows zone 2.
+TEST(ZoneCost, OfAZoneThatIsCutOutIsThatOfAnAbsentOne)
+{
+    Case one(5);
+    model::Model &model = one.model;
+    model.images.emplace_back();
+    model.images[0].width = model.images[0].height = 1;
+    model.images[0].rgba = {255, 255, 255, 0};
+    model.materials[1].image = 0, model.materials[1].alpha_mode = model::AlphaMode::mask;
+    model::Part body = model.parts[0];
+    body.material = 1, body.uvs.assign(body.positions.size(), {0.5f, 0.5f});
+    for (glm::vec3 &p : body.positions) p.x += 0.3f;
+    for (const bool cut : {true, false}) {
+        model.images[0].rgba[3] = cut ? 0 : 255;
+        const lod::PosedParts fine = lod::posed_at_rest(model.rig, {&model.parts[0], &body});
+        const lod::ZoneCost cost(model, fine, one.level, std::vector<lod::ZoneAreas>(triangles, {{0, 1}}), one.areas,
+                                 {});
+        for (size_t t = 0; t < triangles; ++t) EXPECT_EQ(cost.of(t, 1) == cost.of(t, 2), cut) << t;
+        const std::vector<lod::ZonePoints> points = lod::zone_points_of(model, fine, nullptr);
+        EXPECT_FALSE(points[0].points.empty());
+        EXPECT_EQ(points[1].points.empty(), cut);
+        EXPECT_EQ(points[1].nearest.has_value(), !cut);
     }
 }

@@ -54,12 +54,14 @@ void paint(model::Model &model, const Colour &colour)
     }
 }
 
+// `material`: of the level.
 template <class Change>
-lod::LookDifference difference(const model::Model &model, const Change &change)
+lod::LookDifference difference(const model::Model &model, const Change &change, uint32_t material = 0)
 {
     lod::TextureLooks looks;
     looks.add(model);
     model::Part level = model.parts[0];
+    level.material = material;
     for (glm::vec2 &uv : level.uvs) change(uv);
     const lod::PosedParts fine = lod::posed_at_rest(model.rig, {&model.parts[0]}),
                           coarse = lod::posed_at_rest(model.rig, {&level});
@@ -145,6 +147,27 @@ TEST(TextureLooks, CountTheColoursOfZonesAndHoles)
     EXPECT_EQ(after_shift(model, 0.05f), 0);
     model.materials[0].alpha_mode = model::AlphaMode::mask, model.materials[0].alpha_cutoff = 0.06f;
     EXPECT_GT(after_shift(model, 0.05f), 0.05);
+}
+
+TEST(TextureLooks, LeaveOutHolesThroughWhichALevelShowsOtherSurface)
+{
+    model::Model model = sheet(40);
+    paint(model, [](double u, double) { return std::array<uint8_t, 4>{90, 90, 90, uint8_t(u < 0.5 ? 0 : 255)}; });
+    model.materials.push_back(model.materials[0]);
+    model.materials[0].alpha_mode = model::AlphaMode::mask, model.materials[1].image = 1;
+    model.images.push_back(model.images[0]);
+    paint(model, [](double u, double) { return grey(u < 0.5 ? 230 : 90); });
+    std::swap(model.images[0], model.images[1]);
+    EXPECT_LT(difference(
+                  model, [](glm::vec2 &) {}, 1)
+                  .colours[0],
+              0.02)
+        << "beside the edge of the hole alone";
+    model.materials[0].alpha_mode = model::AlphaMode::opaque;
+    EXPECT_GT(difference(
+                  model, [](glm::vec2 &) {}, 1)
+                  .colours[0],
+              0.2);
 }
 
 TEST(TextureLooks, MakeAnErrorOfTheShapeMoreVisibleUntilTheCharacterIsSmall)
