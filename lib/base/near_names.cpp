@@ -1,6 +1,7 @@
 #include "lib/base/near_names.h"
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -81,8 +82,11 @@ std::string near_names(std::string_view wanted, const std::vector<std::string_vi
     return told.empty() ? "" : joined(told, "'", " and ") + (told.size() == 1 ? " is near" : " are near");
 }
 
-std::string names_near(std::string_view wanted, const std::vector<std::string_view> &names)
+std::string names_near(std::string_view wanted, const std::vector<std::string_view> &given)
 {
+    std::vector<std::string_view> names;
+    std::copy_if(given.begin(), given.end(), std::back_inserter(names),
+                 [](std::string_view one) { return !one.empty(); });
     const std::string near = near_names(wanted, names);
     if (!near.empty()) return ": " + near;
     if (names.empty()) return "; there are none";

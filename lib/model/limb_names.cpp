@@ -23,7 +23,7 @@ uint32_t part_of(std::string_view plain)
     if (has(plain, "shin") || has(plain, "calf") || has(plain, "lowerleg") || has(plain, "leglower")) return 1;
     if (has(plain, "toe") || has(plain, "ball")) return 3;
     if (has(plain, "foot") || has(plain, "ankle")) return 2;
-    return plain == "leftleg" || plain == "rightleg" || plain == "legl" || plain == "legr" ? 1 : none;  // Mixamo's shin
+    return is_with_side(plain, "leg") ? 1 : none;
 }
 
 // The same of skeletons whose joints have the names of joints (Maya): a hip moves the thigh, a knee the shin.
@@ -49,7 +49,8 @@ public:
         for (uint32_t i = 0; i < rig.node_count(); ++i) {
             const std::pmr::string plain = plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
             const Side side = side_of(rig.node_names[i], plain);
-            const uint32_t part = part_of(plain);
+            uint32_t part = part_of(plain);
+            if (part == 1 && is_with_side(plain, "leg") && is_above_knee(rig, i)) part = 0;
             if (side != Side::unknown && part != none) limbs_[i] = {side == Side::left ? 0 : 1, static_cast<int>(part)};
         }
         const std::vector<Limb> named = limbs_;
@@ -129,6 +130,24 @@ Side side_of(std::string_view name, std::string_view plain)
         if (name.back() == 'R') return Side::right;
     }
     return Side::unknown;
+}
+
+bool is_with_side(std::string_view plain, std::string_view word)
+{
+    const size_t at = plain.find(word);
+    if (at == std::string_view::npos) return false;
+    const std::string_view before = plain.substr(0, at), after = plain.substr(at + word.size());
+    const std::string_view side = before.empty() ? after : before;
+    return (before.empty() || after.empty()) && (side == "left" || side == "right" || side == "l" || side == "r");
+}
+
+bool is_above_knee(const Rig &rig, uint32_t node)
+{
+    for (uint32_t i = node + 1; i < rig.node_count(); ++i)
+        if (rig.parents[i] == node &&
+            has(plain_name(rig.node_names[i], rig.parents.get_allocator().resource()), "knee"))
+            return true;
+    return false;
 }
 
 bool is_control(std::string_view plain)

@@ -1,4 +1,4 @@
-// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, KayKit, Quaternius, Daz, Poser, Maya
+// Names of limbs as common tools write them: Mixamo, Unreal, Rigify, VRM, VRChat, KayKit, Quaternius, Daz, Poser, Maya
 // and claque's own.
 #pragma once
 
@@ -18,6 +18,12 @@ bool has(std::string_view text, std::string_view part);
 // A side is a word ("LeftFoot", "foot_left"), a letter between separators or at the end ("foot.L", "l_foot"), or a
 // small letter before a capital one ("lFoot").
 Side side_of(std::string_view name, std::string_view plain);
+
+// Whether a name is the word and a side alone: "leftleg", "armr".
+bool is_with_side(std::string_view plain, std::string_view word);
+// Whether a node named "leg" moves a thigh, as in avatars of VRChat, whose next joint is a knee; else it moves a shin,
+// as in Mixamo's.
+bool is_above_knee(const Rig &rig, uint32_t node);
 
 // Whether a node of this name moves others, or ends a chain, and is no limb itself.
 bool is_control(std::string_view plain);

@@ -59,8 +59,8 @@ std::string limb_of(std::string_view p)
     if (has_any(p, {"forearm", "lowerarm", "armlower", "elbow"})) return "LowerArm";
     if (has_any(p, {"upperarm", "armupper", "uparm", "shldr"})) return "UpperArm";
     if (has_any(p, {"wrist", "hand", "palm"})) return "Hand";
-    if (p == "leftleg" || p == "rightleg" || p == "legl" || p == "legr") return "LowerLeg";  // as Mixamo
-    if (p == "leftarm" || p == "rightarm" || p == "arml" || p == "armr") return "UpperArm";
+    if (model::is_with_side(p, "leg")) return "LowerLeg";
+    if (model::is_with_side(p, "arm")) return "UpperArm";
     return "";
 }
 
@@ -88,7 +88,9 @@ void add_limbs(const model::Rig &rig, Body &body)
     for (int rank = 0; rank < 3; ++rank) {
         for (uint32_t i = 0; i < rig.node_count(); ++i) {
             if (ranks[i] != rank) continue;
-            const std::string side = side_of(rig.node_names[i], names[i]), limb = side.empty() ? "" : limb_of(names[i]);
+            const std::string side = side_of(rig.node_names[i], names[i]);
+            std::string limb = side.empty() ? "" : limb_of(names[i]);
+            if (model::is_with_side(names[i], "leg") && model::is_above_knee(rig, i)) limb = "UpperLeg";
             if (!limb.empty()) body.bones.emplace(side + limb, i);
         }
         for (uint32_t i = 0; i < rig.node_count(); ++i)

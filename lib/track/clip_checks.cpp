@@ -19,6 +19,12 @@ namespace
 constexpr char name_another[] =
     "name another one (--walk of the command, clips of a scenario's class, clq_locomotion_def)";
 
+// Whether options turned the character: a node without a name is then above all others.
+bool is_turned(const model::Rig &rig)
+{
+    return rig.node_count() > 1 && rig.node_names[0].empty() && rig.rest[0].rotation.w < 0.9999f;
+}
+
 }  // namespace
 
 const char *clip_name(const model::Rig &rig, uint32_t clip)
@@ -63,7 +69,8 @@ void check_direction(const model::Template &tmpl, uint32_t clip, double x, doubl
     const double length = std::sqrt(x * x + z * z);
     if (!(length > 0.1) || z < -0.5 * length) return;  // up to 60 degrees aside
     const double goes_deg = math::atan2(-x, -z) * 180 / math::pi;
-    const model::Facing facing = pose::facing_in(tmpl.rig, &tmpl.motion, clip);
+    model::Facing facing = pose::facing_in(tmpl.rig, &tmpl.motion, clip);
+    if (facing.is_elsewhere()) facing = pose::facing_in_clips(tmpl.rig);  // the clip may turn a character that faces +z
     const char *name = clip_name(tmpl.rig, clip), *way = z > 0.5 * length ? "forward" : "sideways";
     const double turn = model::turn_to_front_deg(goes_deg);
     if (facing.seen && !facing.is_elsewhere())
@@ -71,10 +78,10 @@ void check_direction(const model::Template &tmpl, uint32_t clip, double x, doubl
              "the feet of clip %u ('%s') of template '%s' move %s at stance, and its %s say that it faces +z: the clip "
              "walks %s; %s",
              clip, name, tmpl.name.c_str(), way, facing.seen, z > 0.5 * length ? "backwards" : "aside", name_another);
-    fail(CLQ_ARGUMENT,
-         "the feet of clip %u ('%s') of template '%s' move %s at stance: the character faces %s; turn_deg %g (--turn "
-         "%g) turns it",
-         clip, name, tmpl.name.c_str(), way, model::axis_of(goes_deg), turn, turn);
+    const std::string remedy = is_turned(tmpl.rig) ? base::text_of("%g degrees more of turn_deg (--turn) turn it", turn)
+                                                   : base::text_of("turn_deg %g (--turn %g) turns it", turn, turn);
+    fail(CLQ_ARGUMENT, "the feet of clip %u ('%s') of template '%s' move %s at stance: the character faces %s; %s",
+         clip, name, tmpl.name.c_str(), way, model::axis_of(goes_deg), remedy.c_str());
 }
 
 void fail_to_walk(const model::Template &tmpl, const LocomotionClips &clips, uint32_t step)

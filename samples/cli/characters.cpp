@@ -127,6 +127,9 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
         const clq_status read = clq_asset_load_file(library.context(), path.c_str(), &options, &made);
         if (read != CLQ_OK && is_other_format(path))
             throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
+        if (read != CLQ_OK && io::ending_of(path) == ".toml")
+            throw scenes::Failure(path + " is no character: --scenario " + path + " shows a scenario, --colours " +
+                                  path + " wears colours");
         check(read);
     }
     scenes::Own<clq_asset> asset(made);

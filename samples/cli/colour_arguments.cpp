@@ -1,5 +1,6 @@
 #include "samples/cli/colour_arguments.h"
 
+#include <filesystem>
 #include <iostream>
 
 #include "lib/base/near_names.h"
@@ -13,6 +14,10 @@ CLI::Option *add_colours_option(CLI::App &command, std::string &file, scenes::Pl
                                 const std::string &about)
 {
     const auto take = [&file, &placed](const std::string &value) {
+        const std::string near = claque::base::near_names(value, {"wild", "own"});
+        if (value.find_first_of("./") == std::string::npos && !near.empty() && value != "wild" && value != "own" &&
+            !std::filesystem::exists(value))
+            throw CLI::ValidationError("--colours", "'" + value + "' is no file, and " + near);
         placed.colours = scenes::colours_of(value);
         file = placed.colours != CLQ_COLOURS_NEAR ? "" : value;
     };

@@ -27,7 +27,7 @@ void add_placement_options(CLI::App &command, scenes::Placement &placement)
     CLI::Option *height = command
                               .add_option("--height", placement.height_m,
                                           "Height of the characters of files at rest in metres (default: the file's)")
-                              ->check(CLI::PositiveNumber);
+                              ->check(CLI::Range(1e-3, 1e4));
     if (command.get_option_no_throw("--scale") == nullptr)
         command.add_option("--scale", placement.scale, "Multiply the size of the characters of files")
             ->check(CLI::Range(1e-6, 1e6))

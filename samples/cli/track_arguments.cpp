@@ -103,6 +103,13 @@ void refuse_track_options(const CLI::App &command)
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
+void refuse_limb_options(const CLI::App &command)
+{
+    for (const char *name : {"--legs", "--torso", "--neck", "--head", "--walk", "--idle", "--ground"})
+        if (command.count(name) > 0)
+            throw CLI::ValidationError(name, "is for people on the tracks of a file, and none is shown");
+}
+
 void refuse_reading_options(const CLI::App &command, bool takes_rate)
 {
     for (const char *name : {"--columns", "--unit", "--up", "--vehicles", "--ground", "--record", "--rate"}) {

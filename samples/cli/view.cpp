@@ -186,14 +186,19 @@ void take_files(ViewArguments &a)
                                            file + "' is one more");
         a.what = with_file(a.what, file);
     }
-    if (!a.what.clips.files.empty() && a.what.setup.file.empty())
-        throw CLI::ValidationError("--clips", "no character is shown that could have them: name one as FILE");
+    const std::vector<std::string> people = names_in(a.what.tracks.characters);
+    const bool has_file = !a.what.setup.file.empty() || std::any_of(people.begin(), people.end(), scenes::is_file);
+    if (!a.what.clips.files.empty() && !has_file)
+        throw CLI::ValidationError("--clips", "no character of a file is shown that could have them: name one as FILE");
 }
 
-void check_view_usage(ViewArguments &a)
+void check_view_usage(const CLI::App &command, ViewArguments &a)
 {
     read_serving(a);
     take_files(a);
+    if (a.what.tracks.file.empty()) refuse_limb_options(command);
+    if (!std::filesystem::is_directory(a.folder))
+        throw scenes::Failure("--shots: there is no folder " + a.folder + ", in which pictures could be saved");
     if (subjects_of(a.what) > 0 && a.what.tracks.file.empty() && !a.what.tracks.characters.empty())
         throw CLI::ValidationError("--characters", "line up by themselves, or walk on the tracks of a file");
     if (subjects_of(a.what) > 1) throw CLI::ValidationError("--scene", "--scene and --scenario exclude each other");
@@ -213,8 +218,8 @@ void add_view(CLI::App &app, Work &chosen)
                                      "Open a window on a crowd: watch it, pick people, test a character, "
                                      "see what a frame costs");
     add_view_options(*c, a);
-    c->callback([a, &chosen] {
-        check_view_usage(*a);
+    c->callback([a, c, &chosen] {
+        check_view_usage(*c, *a);
         chosen = [a] {
             if (a->folder != ".") expect_writable(a->folder + "/view-1.png");
             const auto progress = std::make_shared<Progress>("claque");

@@ -72,6 +72,11 @@ ViewWhat with_file(ViewWhat what, const std::string &path)
 
 ViewWhat with_dropped(ViewWhat what, const std::string &path)
 {
+    if (is_motion(path)) {  // first, so that the first person plays it
+        what = with_file(std::move(what), path);
+        std::rotate(what.clips.files.begin(), what.clips.files.end() - 1, what.clips.files.end());
+        return what;
+    }
     if (!is_subject(path)) return with_file(std::move(what), path);
     what.setup.file.clear(), what.setup.scene.clear(), what.setup.scenario.clear(), what.setup.path.clear();
     what.setup.described.reset();

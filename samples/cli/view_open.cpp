@@ -30,8 +30,9 @@ void line_up(const ViewWhat &what, scenes::Library &library, Kept &kept, view::O
     std::vector<scenes::Character> loaded(names.size());
     for (size_t k = 0; k < names.size(); ++k) {
         if (names[k].find_first_of("./") == std::string::npos) continue;
-        kept.people.push_back(load_character(library, names[k], what.setup.of_file));
+        kept.people.push_back(load_character(library, names[k], what.setup.of_file, what.clips));
         loaded[k] = kept.people.back().character();
+        scenes::warn_of_likeness(library, loaded[k].tmpl);
     }
     opened.options.make = [names, loaded](scenes::Library &of, const scenes::CrowdOptions &crowd_options) {
         std::vector<scenes::Character> characters = loaded;

@@ -117,10 +117,13 @@ void add_clip(Scene &scene, const aiAnimation &from, const std::string &name)
 
 void add_clips(Scene &scene)
 {
+    std::set<std::string> names;  // each clip can be chosen by its own
     for (unsigned a = 0; a < scene.from.mNumAnimations; ++a) {
         const aiAnimation &from = *scene.from.mAnimations[a];
-        const std::string name = from.mName.C_Str();
-        add_clip(scene, from, name.empty() ? "clip " + std::to_string(a + 1) : name);
+        const std::string given = from.mName.C_Str(), base = given.empty() ? "clip " + std::to_string(a + 1) : given;
+        std::string name = base;
+        for (unsigned k = 2; !names.insert(name).second; ++k) name = base + "." + std::to_string(k);
+        add_clip(scene, from, name);
     }
 }
 

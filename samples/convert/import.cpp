@@ -152,6 +152,7 @@ Converted import_file(const std::string &path, const Options &options)
     }
     Scene scene = {*read, options, path};
     if (!io::read_whole(path, scene.bytes, io::most_file_bytes).empty()) scene.bytes.clear();
+    hang_below_parents(*read->mRootNode);
     for (std::string &loss : losses_in(scene.bytes)) scene.warn(std::move(loss));
     add_materials(scene);
     add_nodes(scene);

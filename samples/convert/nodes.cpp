@@ -63,7 +63,43 @@ void add_node(Scene &scene, const aiNode &node, unsigned depth)
         scene.glb.json["nodes"][index]["children"].push_back(scene.nodes.at(node.mChildren[i]));
 }
 
+struct Listed {
+    aiNode *node, *by;
+};
+
+void find_misplaced(aiNode &node, unsigned depth, std::vector<Listed> &out)
+{
+    if (depth == deepest) return;  // add_node refuses it
+    for (unsigned i = 0; i < node.mNumChildren; ++i) {
+        aiNode &child = *node.mChildren[i];
+        if (child.mParent && child.mParent != &node) out.push_back({&child, &node});
+        find_misplaced(child, depth + 1, out);
+    }
+}
+
+bool lists(const aiNode &root, const aiNode *node)
+{
+    if (&root == node) return true;
+    return std::any_of(root.mChildren, root.mChildren + root.mNumChildren,
+                       [&](const aiNode *child) { return lists(*child, node); });
+}
+
 }  // namespace
+
+void hang_below_parents(aiNode &root)
+{
+    std::vector<Listed> misplaced;
+    find_misplaced(root, 0, misplaced);
+    for (const auto &[node, by] : misplaced) {
+        aiNode *parent = node->mParent;
+        if (!lists(root, parent) || lists(*node, parent)) continue;
+        aiNode **end = by->mChildren + by->mNumChildren, **at = std::find(by->mChildren, end, node);
+        std::copy(at + 1, end, at);
+        --by->mNumChildren;
+        aiNode *moved = node;
+        parent->addChildren(1, &moved);
+    }
+}
 
 std::string listed(const std::vector<std::string> &names)
 {

@@ -45,6 +45,9 @@ struct Skin {
     std::vector<std::vector<Influence>> of_vertex;
 };
 
+// Hangs each node below the node that it names as its parent. Assimp 5.2 lists the bones of a Half-Life model side by
+// side.
+void hang_below_parents(aiNode &root);
 // Nodes keep the order of Assimp's scene: a node's own meshes first, each as a node below it, then its children.
 void add_nodes(Scene &scene);
 void add_meshes(Scene &scene);

@@ -5,10 +5,6 @@
 namespace scenes
 {
 
-namespace
-{
-
-// Twins are no fault of a file, but few crowds are of them.
 void warn_of_likeness(Library &library, const clq_template *tmpl)
 {
     clq_template_info info = clq_template_info_init();
@@ -26,8 +22,6 @@ void warn_of_likeness(Library &library, const clq_template *tmpl)
                                   "colours that differ";
     clq_context_log(library.context(), CLQ_LOG_WARNING, sentence.c_str());
 }
-
-}  // namespace
 
 const std::vector<SceneEntry> &scene_entries()
 {

@@ -93,6 +93,9 @@ struct SceneEntry {
 // All scenes.
 const std::vector<SceneEntry> &scene_entries();
 
+// Warns of a template without clips: its people stand alike. Twins are no fault of a file, but few crowds are of them.
+void warn_of_likeness(Library &library, const clq_template *tmpl);
+
 // Throws Failure with the list of names if no scene has this name. character.tmpl null: the built-in citizen.
 std::unique_ptr<Scene> make_scene(const std::string &name, Library &library, const CrowdOptions &crowd_options,
                                   const Character &character);

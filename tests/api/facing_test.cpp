@@ -182,6 +182,21 @@ TEST_F(Facing, IsSaidWithTheTurnThatIsThereAlready)
         << warned(facing(180), 90);
 }
 
+// Whichever turn is given, that of the sentence ends both sentences.
+TEST_F(Facing, IsRightAfterTheTurnThatASentenceNames)
+{
+    for (const double given : {180.0, 90.0, -90.0, 270.0}) {
+        EXPECT_NE(warned(facing(0), given).find("characters face +z: leave turn_deg (--turn) out"), std::string::npos)
+            << warned(facing(0), given);
+        const std::string said = refused(facing(0), given);
+        const size_t more = said.find(" degrees more of turn_deg (--turn) turn it");
+        ASSERT_NE(more, std::string::npos) << said;
+        const double turn = given + std::stod(said.substr(said.rfind(' ', more - 1)));
+        EXPECT_EQ(warned(facing(0), turn), "") << given;
+        EXPECT_EQ(refused(facing(0), turn), "") << given;
+    }
+}
+
 TEST_F(Facing, ElsewhereIsRefusedOfAWalkerWithTheTurnThatItNeeds)
 {
     EXPECT_EQ(refused(facing(0)), "");

@@ -106,6 +106,10 @@ TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
     EXPECT_NE(unknown.find("plazza is no scene (plaza, odeon,"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("no built-in character (citizen,"), std::string::npos) << unknown;
     EXPECT_NE(said({"citizen", "plaza"}, 2).find("'plaza' is one more"), std::string::npos);
+    EXPECT_NE(said({"citizen", "--legs", "a,b"}, 2).find("--legs: is for people on the tracks of a file"),
+              std::string::npos);
+    EXPECT_NE(said({"citizen", "--colours", "wldi"}, 2).find("'wldi' is no file, and 'wild' is near"),
+              std::string::npos);
     EXPECT_NE(said({"citizen", "--scene", "plaza"}, 2).find("'citizen' is one more"), std::string::npos);
 }
 
@@ -156,7 +160,7 @@ TEST_F(ViewCommand, RefusesAFolderThatIsNotThereBeforeItOpens)
     const Outcome outcome = claque(
         {"view", "--scene", "parade", "--script", path("steps.toml"), "--shots", path("absent"), "--size", "640x480"});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_NE(outcome.err.find(path("absent")), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("there is no folder " + path("absent")), std::string::npos) << outcome.err;
 }
 
 // An encoder that keeps the pixels as they are.

@@ -180,7 +180,9 @@ void Reference::place(const aiNode &node, const Matrix &above, int animation, do
             if (from.mChannels[c]->mNodeName == node.mName)
                 local = animated(*from.mChannels[c], matrix_of(node.mTransformation), ticks);
     }
-    globals_[&node] = times(above, local);
+    // Bones of Half-Life models are listed side by side, and name their parents, which come first.
+    const auto parent = globals_.find(node.mParent);
+    globals_[&node] = times(parent == globals_.end() ? above : parent->second, local);
     for (unsigned c = 0; c < node.mNumChildren; ++c) place(*node.mChildren[c], globals_[&node], animation, ticks);
 }
 

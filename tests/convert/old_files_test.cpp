@@ -115,6 +115,26 @@ TEST(OldFilesOfPeople, StandUprightInMetres)
     EXPECT_NEAR(height_of("smd/holy_grailref/holy_grailref.smd", turned), 23.3f, 0.1f) << "z is up";
 }
 
+// Whose bones Assimp lists side by side.
+TEST(OldFilesOfPeople, OfHalfLifeStandAndHaveClipsOfTheirOwnNames)
+{
+    CLAQUE_NEEDS_FILE(folder);
+    const auto context = new_context();
+    const auto asset = read_glb(context.get(), convert::convert_file(folder + "mdl-hl1/man/man.mdl", {}, {}).glb);
+    clq_asset_info info = clq_asset_info_init();
+    scenes::check(clq_asset_get_info(asset.get(), &info));
+    const float wide = std::max(info.box_max[0] - info.box_min[0], info.box_max[2] - info.box_min[2]);
+    EXPECT_GT(info.box_max[1] - info.box_min[1], 1.8f * wide);
+    std::set<std::string> names;
+    for (uint32_t i = 0; i < info.clip_count; ++i) {
+        clq_clip_info clip = clq_clip_info_init();
+        scenes::check(clq_asset_get_clip(asset.get(), i, &clip));
+        names.insert(clip.name);
+    }
+    EXPECT_EQ(names.size(), 6u);
+    EXPECT_EQ(names.count("arms_up.4"), 1u);
+}
+
 TEST(OldFilesPictures, AreFoundWhateverTheirPathAndCase)
 {
     CLAQUE_NEEDS_FILE(folder);

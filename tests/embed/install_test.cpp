@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "include/claque/base.h"
 #include "tests/embed/scratch.h"
 
 namespace fs = std::filesystem;
@@ -160,8 +161,9 @@ TEST_F(Install, LetsHostsInCLinkEachLibrarySharedOrStatic)
                                       "'\n"
                                       "cmake -G Ninja -S '" CLAQUE_SOURCE_DIR
                                       "/tests/embed/installed' -B hosts "
-                                      "-DCMAKE_PREFIX_PATH='" +
-                                      prefix() + "' && cmake --build hosts");
+                                      "-DCLAQUE_WANTED=" +
+                                      std::to_string(CLQ_VERSION_MAJOR) + "." + std::to_string(CLQ_VERSION_MINOR) +
+                                      " -DCMAKE_PREFIX_PATH='" + prefix() + "' && cmake --build hosts");
     const std::string strip = text_of_file(CLAQUE_SOURCE_DIR "/tests/golden/strip_host.txt");
     EXPECT_EQ(printed("hosts/strip"), strip) << built;
     EXPECT_EQ(printed("hosts/strip_static"), strip);

@@ -69,13 +69,14 @@ void name_facing(model::Model &model, double turn_deg)
     if (!facing.is_elsewhere()) return;
     const double turn = std::fmod(turn_deg + model::turn_to_front_deg(facing.heading_deg), 360);
     const bool toes = std::string_view(facing.seen) == "toes", eyes = std::string_view(facing.seen) == "eyes";
-    model.warnings.push_back(
-        base::text_of("the %s of '%s' %s %s, and characters face +z: turn_deg %g (--turn %g) turns it", facing.seen,
-                      model.name.c_str(),
-                      toes   ? "point to"
-                      : eyes ? "look to"
-                             : "stand as if it faced",
-                      model::axis_of(facing.heading_deg), turn, turn));
+    model.warnings.push_back(base::text_of("the %s of '%s' %s %s, and characters face +z: ", facing.seen,
+                                           model.name.c_str(),
+                                           toes   ? "point to"
+                                           : eyes ? "look to"
+                                                  : "stand as if it faced",
+                                           model::axis_of(facing.heading_deg)) +
+                             (turn == 0 ? std::string("leave turn_deg (--turn) out")
+                                        : base::text_of("turn_deg %g (--turn %g) turns it", turn, turn)));
 }
 
 // Files in centimetres, and toys.

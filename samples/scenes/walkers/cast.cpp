@@ -81,6 +81,11 @@ Own<clq_template> template_of_file(Library &library, const SocialClass &one)
     clq_asset *asset = nullptr;
     check(clq_asset_load_file(library.context(), one.character.c_str(), &options, &asset));
     const Own<clq_asset> held(asset);
+    clq_asset_info info = clq_asset_info_init();
+    check(clq_asset_get_info(asset, &info));
+    if (info.vertex_count == 0 && info.clip_count > 0)
+        throw Failure(one.character + " has clips and nothing to draw: --clips " + one.character +
+                      " adds them to a character");
     if (one.add_clips) one.add_clips(library, asset);
     borrow_gaits(library, one, options, asset);
     clq_template *made = nullptr;

@@ -38,7 +38,7 @@ TEST(NearNames, AreReplacedByAllWhereNoneIsNear)
     expect_said("zebra", {"stand", "walk"}, "; there are: stand, walk");
     expect_said("x", {"box", "y"}, "; there are: box, y");
     expect_said("zebra", {}, "; there are none");
-    expect_said("", {"", "a"}, "; there are: , a");
+    expect_said("", {"", "a"}, "; there are: a");
     const std::vector<std::string> many(30, "stand");
     EXPECT_NE(base::names_near("zebra", many).find(" and 6 more"), std::string::npos);
     EXPECT_EQ(base::near_names("zebra", many), "");

@@ -36,6 +36,10 @@ const std::vector<std::pair<const char *, Names>> &conventions()
          {"Bip01 Pelvis", "Bip01 Spine", "Bip01 Head", "Bip01 L UpperArm", "Bip01 L Forearm", "Bip01 L Hand",
           "Bip01 L Thigh", "Bip01 L Calf", "Bip01 L Foot"}},
         {"Maya", {"pelvis28", "spine1", "head1", "l_shoulder1", "l_elbow1", "l_hand1", "l_hip1", "l_knee1", "l_foot1"}},
+        {"VRChat",
+         {"Hips", "Spine", "Head", "Left arm", "Left elbow", "Left wrist", "Left leg", "Left knee", "Left ankle"}},
+        {"sides last",
+         {"Hips", "Spine", "Head", "Arm_Left", "ForeArm_Left", "Hand_Left", "UpLeg_Left", "Leg_Left", "Foot_Left"}},
         {"Poser", {"hip", "abdomen", "head", "lShldr", "lForeArm", "lHand", "lThigh", "lShin", "lFoot"}}};
     const std::vector<std::string> parts = {"hips",  "spine", "head",  "arm.", "elbow.",
                                             "hand.", "leg.",  "knee.", "foot."};
