@@ -239,6 +239,17 @@ TEST_F(Facing, AheadOfAClipThatWalksBackwardsBlamesTheClip)
         << refused(traits);
 }
 
+TEST_F(Facing, AheadInOtherClipsBlamesTheWalkThatIsTurned)
+{
+    FigureTraits traits;
+    traits.walk_deg = 90;
+    EXPECT_EQ(warned(traits), "");
+    EXPECT_NE(refused(traits).find("move sideways at stance, and its toes say that it faces +z: the clip walks aside; "
+                                   "name another one"),
+              std::string::npos)
+        << refused(traits);
+}
+
 TEST_F(Facing, OfTheRunClipIsBlamedOnTheRunClip)
 {
     const Break runs = [](clq_locomotion_def &def) { def.run = clq_template_find_clip(def.tmpl, "Run"); };

@@ -24,6 +24,7 @@ struct FigureTraits {
     bool feet = true;              // or they have the names of controls
     float rest_deg = 0;            // it is turned by this at rest, and not in its clips
     float turns_deg = 0;           // in its clips
+    float walk_deg = 0;            // it is turned by this in its clip 'Walk' alone
     float size = 1;
     bool arms = false;
     float alpha = 1;                                   // below 1 it blends
@@ -121,8 +122,9 @@ private:
             clip.add(thighs_[side], "rotation", "LINEAR", times, turns({1, 0, 0}, thigh));
             if (traits_.knees) clip.add(shins_[side], "rotation", "LINEAR", times, turns({1, 0, 0}, shin));
         }
-        const float from = traits_.heading_deg, turned = traits_.turns_deg;
-        if (traits_.rest_deg != 0 || turned != 0)
+        const float walk = name == traits_.walk ? traits_.walk_deg : 0;
+        const float from = traits_.heading_deg + walk, turned = traits_.turns_deg;
+        if (traits_.rest_deg != 0 || traits_.walk_deg != 0 || turned != 0)
             clip.add(root_, "rotation", "LINEAR", {0, length_s / 2, length_s},
                      turns({0, 1, 0}, {from - turned / 2, from, from + turned / 2}));
         const float z = -traits_.offset_m;
