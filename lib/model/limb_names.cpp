@@ -136,9 +136,9 @@ bool is_with_side(std::string_view plain, std::string_view word)
 {
     const size_t at = plain.find(word);
     if (at == std::string_view::npos) return false;
-    const std::string_view before = plain.substr(0, at), after = plain.substr(at + word.size());
-    const std::string_view side = before.empty() ? after : before;
-    return (before.empty() || after.empty()) && (side == "left" || side == "right" || side == "l" || side == "r");
+    if (at != 0 && at + word.size() != plain.size()) return false;
+    const std::string_view side(plain.data() + (at == 0 ? word.size() : 0), plain.size() - word.size());
+    return side == "left" || side == "right" || side == "l" || side == "r";
 }
 
 bool is_above_knee(const Rig &rig, uint32_t node)
