@@ -102,6 +102,13 @@ TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
     EXPECT_NE(said({path("old.fbx")}, 1).find("claque convert " + path("old.fbx")), std::string::npos);
     const std::string clips = written::folder() + "WrittenClips.glb";
     EXPECT_NE(said({clips}, 1).find("--clips " + clips + " adds them"), std::string::npos);
+    EXPECT_NE(said({"--characters", clips}, 1).find("--clips " + clips + " adds them"), std::string::npos);
+    EXPECT_NE(said({samples_ + "/scenarios/corner.csv", "--characters", clips, "--columns", "id,frame,x,y", "--rate",
+                    "2", "--unit", "m"},
+                   1)
+                  .find("--clips " + clips + " adds them"),
+              std::string::npos);
+    EXPECT_NE(said({"--characters", "citizen", "--clips", "bow.bvh"}, 2).find("name one as FILE"), std::string::npos);
     const std::string unknown = said({"plazza"}, 2);
     EXPECT_NE(unknown.find("plazza is no scene (plaza, odeon,"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("no built-in character (citizen,"), std::string::npos) << unknown;
@@ -127,6 +134,10 @@ TEST_F(ViewCommand, PlaysTheMotionsThatAreNamedOrDropped)
     std::vector<std::string> dropped = {drop(path("nod.bvh")), "see \"nod.bvh is shown\""};
     dropped.insert(dropped.end(), sees.begin(), sees.end());
     outcome = view({"citizen", "--map", path("nod.toml"), "--count", "1"}, dropped);
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    // The latest comes first.
+    write("bow.bvh", file_text(path("nod.bvh")));
+    outcome = view({path("bow.bvh"), "citizen", "--map", path("nod.toml"), "--count", "1"}, dropped);
     EXPECT_EQ(outcome.code, 0) << outcome.err;
 }
 

@@ -150,6 +150,10 @@ TEST_F(Warnings, OfACrowdThatLooksAlikeNameClipsAndZones)
     };
     EXPECT_EQ(times(rendered(file_, "1"), "alike"), 0u);
     EXPECT_EQ(times(rendered("citizen", "2"), "alike"), 0u);
+    write("still.toml", "steps = ['wait 0.1']\n");
+    const Outcome in_line = claque({"view", "--characters", file_, "--count", "2", "--script", path("still.toml"),
+                                    "--size", "640x480", "--shots", path("")});
+    EXPECT_EQ(times(in_line.err, alike), 1u) << in_line.err;
     // A clip of one key is a pose.
     for (const float end_s : {0.0f, 1.0f}) {
         Maker maker;
