@@ -50,9 +50,15 @@ target_compile_options(claque_flags INTERFACE
 add_library(claque_quick_to_compile INTERFACE)
 target_compile_options(claque_quick_to_compile INTERFACE $<$<CONFIG:Release>:-O1>)
 # For tests and commands, most of which spend their time in libraries. Without optimisation GCC calls the C library's
-# sqrt, and that of Windows does not round to the nearest, as the processor's does.
+# sqrt, and that of Windows does not round to the nearest, as the processor's does. A wheel has to be small.
+set(claque_least -O0)
+if(MINGW)
+    set(claque_least -O1)
+elseif(CLAQUE_PORTABLE)
+    set(claque_least -Os)
+endif()
 add_library(claque_not_optimised INTERFACE)
-target_compile_options(claque_not_optimised INTERFACE $<$<CONFIG:Release>:$<IF:$<BOOL:${MINGW}>,-O1,-O0>>)
+target_compile_options(claque_not_optimised INTERFACE $<$<CONFIG:Release>:${claque_least}>)
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86)$" OR (CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64" AND CMAKE_SIZEOF_VOID_P EQUAL 4))
     # Old hosts call with stacks aligned to 4 bytes.
