@@ -143,10 +143,12 @@ bool is_with_side(std::string_view plain, std::string_view word)
 
 bool is_above_knee(const Rig &rig, uint32_t node)
 {
+    const auto plain = [&](uint32_t i) {
+        return plain_name(rig.node_names[i], rig.parents.get_allocator().resource());
+    };
+    if (rig.parents[node] != none && part_of(plain(rig.parents[node])) == 0) return false;
     for (uint32_t i = node + 1; i < rig.node_count(); ++i)
-        if (rig.parents[i] == node &&
-            has(plain_name(rig.node_names[i], rig.parents.get_allocator().resource()), "knee"))
-            return true;
+        if (rig.parents[i] == node && has(plain(i), "knee")) return true;
     return false;
 }
 

@@ -21,8 +21,8 @@ Side side_of(std::string_view name, std::string_view plain);
 
 // Whether a name is the word and a side alone: "leftleg", "armr".
 bool is_with_side(std::string_view plain, std::string_view word);
-// Whether a node named "leg" moves a thigh, as in avatars of VRChat, whose next joint is a knee; else it moves a shin,
-// as in Mixamo's.
+// Whether a node named "leg" moves a thigh: its next joint is a knee, as in avatars of VRChat, and no thigh is above
+// it. Else it moves a shin, as in Mixamo's.
 bool is_above_knee(const Rig &rig, uint32_t node);
 
 // Whether a node of this name moves others, or ends a chain, and is no limb itself.

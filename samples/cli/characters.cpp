@@ -128,8 +128,8 @@ scenes::Own<clq_asset> load_asset(scenes::Library &library, const std::string &p
         if (read != CLQ_OK && is_other_format(path))
             throw scenes::Failure(path + " is no glTF: 'claque convert " + path + " --out NAME.glb' makes one of it");
         if (read != CLQ_OK && io::ending_of(path) == ".toml")
-            throw scenes::Failure(path + " is no character: --scenario " + path + " shows a scenario, --colours " +
-                                  path + " wears colours");
+            throw scenes::Failure(path + " is no character: 'claque render --scenario " + path +
+                                  "' shows a scenario, and --colours " + path + " is for a colour map");
         check(read);
     }
     scenes::Own<clq_asset> asset(made);

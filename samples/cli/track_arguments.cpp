@@ -96,18 +96,17 @@ clq_trajectories_def reading_of(const TrackArguments &a)
     return def;
 }
 
-void refuse_track_options(const CLI::App &command)
+void refuse_walking_options(const CLI::App &command)
 {
-    for (const char *name : {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters",
-                             "--ground", "--legs", "--torso", "--neck", "--head", "--walk", "--idle"})
+    for (const char *name : {"--ground", "--legs", "--torso", "--neck", "--head", "--walk", "--idle"})
         if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
 }
 
-void refuse_limb_options(const CLI::App &command)
+void refuse_track_options(const CLI::App &command)
 {
-    for (const char *name : {"--legs", "--torso", "--neck", "--head", "--walk", "--idle", "--ground"})
-        if (command.count(name) > 0)
-            throw CLI::ValidationError(name, "is for people on the tracks of a file, and none is shown");
+    for (const char *name : {"--columns", "--rate", "--unit", "--up", "--max-speed", "--vehicles", "--characters"})
+        if (command.count(name) > 0) throw CLI::ValidationError(name, "is for a file of trajectories");
+    refuse_walking_options(command);
 }
 
 void refuse_reading_options(const CLI::App &command, bool takes_rate)

@@ -24,7 +24,7 @@ void add_limb_options(CLI::App &command, scenes::WalkingNodes &limbs, scenes::So
 void add_walking_options(CLI::App &command, TrackArguments &arguments);
 // Throws CLI::ValidationError if one of them was given: the command's subject is no file of trajectories.
 void refuse_track_options(const CLI::App &command);
-void refuse_limb_options(const CLI::App &command);
+void refuse_walking_options(const CLI::App &command);  // those of how people walk alone
 // Throws likewise if one was given that says how positions are read, or where they are shown: the subject is a record.
 void refuse_reading_options(const CLI::App &command, bool takes_rate = false);
 

@@ -196,7 +196,7 @@ void check_view_usage(const CLI::App &command, ViewArguments &a)
 {
     read_serving(a);
     take_files(a);
-    if (a.what.tracks.file.empty()) refuse_limb_options(command);
+    if (a.what.tracks.file.empty()) refuse_walking_options(command);
     if (!std::filesystem::is_directory(a.folder))
         throw scenes::Failure("--shots: there is no folder " + a.folder + ", in which pictures could be saved");
     if (subjects_of(a.what) > 0 && a.what.tracks.file.empty() && !a.what.tracks.characters.empty())

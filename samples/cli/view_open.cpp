@@ -32,7 +32,7 @@ void line_up(const ViewWhat &what, scenes::Library &library, Kept &kept, view::O
         if (names[k].find_first_of("./") == std::string::npos) continue;
         kept.people.push_back(load_character(library, names[k], what.setup.of_file, what.clips));
         loaded[k] = kept.people.back().character();
-        scenes::warn_of_likeness(library, loaded[k].tmpl);
+        if (what.setup.count != 1) scenes::warn_of_likeness(library, loaded[k].tmpl);
     }
     opened.options.make = [names, loaded](scenes::Library &of, const scenes::CrowdOptions &crowd_options) {
         std::vector<scenes::Character> characters = loaded;

@@ -113,7 +113,7 @@ TEST_F(ViewCommand, SaysWhatItsFilesLackOrExclude)
     EXPECT_NE(unknown.find("plazza is no scene (plaza, odeon,"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("no built-in character (citizen,"), std::string::npos) << unknown;
     EXPECT_NE(said({"citizen", "plaza"}, 2).find("'plaza' is one more"), std::string::npos);
-    EXPECT_NE(said({"citizen", "--legs", "a,b"}, 2).find("--legs: is for people on the tracks of a file"),
+    EXPECT_NE(said({"citizen", "--legs", "a,b"}, 2).find("--legs: is for a file of trajectories"),
               std::string::npos);
     EXPECT_NE(said({"citizen", "--colours", "wldi"}, 2).find("'wldi' is no file, and 'wild' is near"),
               std::string::npos);

@@ -103,6 +103,16 @@ TEST(LegNames, OfCommonToolsAreFound)
             EXPECT_EQ(clips.legs[1][part], 5 + part) << names[1].first;
         }
     }
+    // A knee pad makes no thigh of Mixamo's shin.
+    const std::vector<uint32_t> padded = legs_of(rig_of({{"Hips", -1},
+                                                         {"LeftUpLeg", 0},
+                                                         {"LeftLeg", 1},
+                                                         {"LeftKneePad", 2},
+                                                         {"LeftFoot", 2},
+                                                         {"RightUpLeg", 0},
+                                                         {"RightLeg", 5},
+                                                         {"RightFoot", 6}}));
+    EXPECT_EQ(padded, (std::vector<uint32_t>{1, 2, 4, model::none}));
     // Feet on the root, as rigs for inverse kinematics have them; without toes.
     const std::vector<uint32_t> left = legs_of(rig_of({{"Bone", -1},
                                                        {"Foot.L", 0},

@@ -58,8 +58,7 @@ model::Model two_balls()
     return model;
 }
 
-// Two balls of two zones in rings, under sheets that are cut out wholly. The colour, the zone and the light of these
-// sheets, which nobody sees, are `hidden`'s.
+// The colour, the zone and the light of sheets that are cut out wholly, over two balls of two zones in rings.
 struct Hidden {
     uint8_t grey;
     uint32_t zone;
@@ -100,7 +99,7 @@ model::Model under_cut_sheets(const Hidden &hidden)
     return model;
 }
 
-// All that the levels show, and what the reports say of it.
+// Positions, texture coordinates, images and light of all levels, after the numbers of their reports.
 std::vector<double> values_of_levels(model::Model model)
 {
     lod::ChainOptions options;
